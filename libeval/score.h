@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Entropy weights and the weighted score (Ren et al. 2016, Eq 6, Eq 8 and the entropy method of Zou et al. 2006).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace swarmfit {
+
+// Everything the energy table of m models (rows) and n metrics (columns) determines.
+struct Weighting {
+  std::vector<double> weights;  // w_j, sum 1
+  std::vector<double> p1, p2;   // per column: smallest energy, and largest minus smallest
+  std::vector<double> entropy;  // e_j in [0, 1]; NaN for m = 1
+};
+
+// x' = (x - p1)/p2 (0 when p2 = 0); r = 1 - x'; g = r / sum r; e_j = -1/ln m * sum g ln g; w_j = (1 - e_j)/sum(1 - e_j).
+// A column without range has weight 0; if none has range, or m = 1, weights are equal. Columns with `use` false, or with a NaN, get weight 0.
+// Throws std::invalid_argument without rows or columns.
+Weighting entropy_weights(const Eigen::MatrixXd& energies, const std::vector<bool>& use = {});
+
+// The start of the calibration loop: equal weights over the used columns, p1 = 0, p2 = worst.
+Weighting initial_weighting(const std::vector<bool>& use, double worst);
+
+// E = 1 - sum_j w_j (x_j - p1_j)/p2_j; higher is better. A term with p2 = 0 counts 0. NaN if a metric with weight is NaN.
+double score(const Eigen::VectorXd& energies, const Weighting& weighting);
+
+}  // namespace swarmfit
