@@ -21,7 +21,7 @@ using BatchCost = std::function<std::vector<double>(const std::vector<Point>&)>;
 struct GeneticOptions {
   int population = 40;
   int generations = 60;
-  int stall = 15;                 // stop after so many generations without a relative gain of `gain`
+  int stall = 15;  // stop after so many generations without a relative gain of `gain`
   double gain = 1e-3;
   int elites = 2;
   std::int64_t max_evaluations = 0;  // hard limit; 0: none
@@ -37,7 +37,7 @@ struct Evaluated {
 };
 
 struct SearchResult {
-  std::vector<Evaluated> best;     // distinct, ascending in cost; at most the size of the population
+  std::vector<Evaluated> best;  // distinct, ascending in cost; at most the size of the population
   std::int64_t evaluations = 0;
   int generations = 0;
   Stop stop = Stop::generations;
