@@ -3,7 +3,7 @@
 // (Ren et al. 2016, Par-Est steps 2-4, Eq 7).
 #pragma once
 
-#include <string>
+#include <cstdint>
 #include <vector>
 
 #include "libeval/metrics.h"
@@ -14,29 +14,32 @@ namespace swarmfit {
 enum class Normalisation {
   reference,  // both sets by the recording's: a model that is wrong in scale pays (default)
   separate,   // each set by its own, as the paper does: only the shape is compared
-  none,       // physical units, on the recording's 0.5 .. 99.5 percentile range
+  none,       // physical units: the recording's 0.5 % .. 99.5 % quantile range is laid on [lower, upper]
 };
 
 struct Binning {
   Normalisation normalisation = Normalisation::reference;
-  double lower = -5, upper = 10;  // u1, u2 of the z-scores (separate: -5, 5)
-  int bins = 150;                 // M (separate: 100)
-  bool clip = true;               // samples outside are counted in the end bins (separate: false)
+  double lower = -5, upper = 10;  // u1, u2 of the z-scores (separate, none: -5, 5)
+  int bins = 150;                 // M (separate, none: 100)
+  bool clip = true;               // samples outside are counted in the end bins too (separate: false)
   static Binning standard(Normalisation);
 };
 
 // A histogram with equal bins on [lower, upper], the last bin closed. Counts add up over replicates.
 struct Histogram {
   std::vector<std::uint64_t> counts;
-  std::uint64_t samples = 0;  // all, those outside included
+  std::uint64_t samples = 0;  // all, those outside included; NaN is no sample
   std::uint64_t outside = 0;
-  void add(const Histogram& other);
+  void add(const Histogram& other);  // throws std::invalid_argument if the bins differ
 };
 
 // A discrete PDF: Q_i = S_i M / (S (u2 - u1)); empty when there is no sample.
 std::vector<double> density(const Histogram&, double lower, double upper);
 
-// First two moments of one metric, addable over replicates.
+// Linear interpolation between order statistics, p in [0, 1] (Hyndman & Fan's type 7); NaN without values.
+double quantile(std::vector<double> values, double p);
+
+// First two moments of one metric, addable over replicates. Values that are not finite are passed over.
 struct Moments {
   std::uint64_t count = 0;
   double mean = 0;
@@ -48,36 +51,42 @@ struct Moments {
 
 // What one set of tracks (or several replicates pooled) looks like to the evaluator.
 struct Distribution {
-  Histogram histogram;
+  Histogram histogram;  // without samples where the metric is undefined
   Moments moments;
 };
 
 using Energies = PerMetric<double>;  // NaN: undefined
 
 // The recording, prepared once; scores any number of simulations. Immutable, shared by threads.
+//
+// The standard deviation of a z-score is never taken as less than 1 % of |mean|. A metric whose standard deviation is below 1e-9 of its
+// natural scale is a constant with rounding, and undefined: of the recording, or under `separate` of the simulation.
 class Target {
  public:
+  // Throws std::invalid_argument on a binning without bins or interval.
   Target(const MetricSamples& recording, const Binning& binning);
 
-  // Bins simulated samples on the recording's axes (for Normalisation::separate by their own moments).
+  // Bins simulated samples on the recording's axes (Normalisation::separate: by their own moments, so replicates that are pooled by adding
+  // distributions are each normalised by themselves).
   PerMetric<Distribution> distributions(const MetricSamples& simulated) const;
   // E = sum_i |Q_real,i - Q_sim,i| per metric, in [0, 2M/(u2-u1)]. Undefined metrics and metrics without samples are NaN.
   Energies energies(const PerMetric<Distribution>& simulated) const;
 
   const PerMetric<Distribution>& recording() const { return recording_; }
   const Binning& binning() const { return binning_; }
-  // Axis of one metric in physical units: bin i covers [lower + i*width, lower + (i+1)*width).
-  struct Axis { double lower, width; };
+  // The recording's axis of one metric in physical units: bin i covers [lower + i*width, lower + (i+1)*width), the last one closed.
+  struct Axis {
+    double lower, width;
+  };
   Axis axis(std::size_t metric) const;
   bool defined(std::size_t metric) const { return defined_[metric]; }  // false: constant or without samples
-  double worst() const;  // 2M/(u2-u1): the energy of disjoint distributions
+  double worst() const;                                                // 2M/(u2-u1): the energy of disjoint distributions
 
  private:
   Binning binning_;
   PerMetric<Distribution> recording_;
   PerMetric<std::vector<double>> pdf_;
   PerMetric<double> shift_{}, scale_{};  // z = (x - shift) / scale
-  PerMetric<double> lower_{}, upper_{};  // of z
   PerMetric<bool> defined_{};
 };
 

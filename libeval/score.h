@@ -15,14 +15,16 @@ struct Weighting {
 };
 
 // x' = (x - p1)/p2 (0 when p2 = 0); r = 1 - x'; g = r / sum r; e_j = -1/ln m * sum g ln g; w_j = (1 - e_j)/sum(1 - e_j).
-// A column without range has weight 0; if none has range, or m = 1, weights are equal. Columns with `use` false, or with a NaN, get weight 0.
-// Throws std::invalid_argument without rows or columns.
+// A column without range has weight 0; if none has range, or m = 1, weights are equal. Columns with `use` false get weight 0, their p1, p2
+// and entropy are still told. A column with a NaN gets weight 0, and NaN for the rest. No usable column: no weights at all.
+// Throws std::invalid_argument without rows or columns, or if `use` is neither empty nor one flag per column.
 Weighting entropy_weights(const Eigen::MatrixXd& energies, const std::vector<bool>& use = {});
 
 // The start of the calibration loop: equal weights over the used columns, p1 = 0, p2 = worst.
 Weighting initial_weighting(const std::vector<bool>& use, double worst);
 
-// E = 1 - sum_j w_j (x_j - p1_j)/p2_j; higher is better. A term with p2 = 0 counts 0. NaN if a metric with weight is NaN.
+// E = 1 - sum_j w_j (x_j - p1_j)/p2_j; higher is better. A term with p2 = 0 counts 0. NaN if an energy with weight is NaN, or if
+// there is no weight at all.
 double score(const Eigen::VectorXd& energies, const Weighting& weighting);
 
 }  // namespace swarmfit

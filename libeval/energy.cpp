@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "libeval/energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace swarmfit {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSpreadFloor = 0.01;  // of |mean|: a standard deviation never counts as smaller
+constexpr double kRounding = 1e-9;     // of the natural scale: a smaller standard deviation is rounding
+
+Moments moments(const std::vector<double>& values) {
+  Moments m;
+  for (const double x : values) m.add(x);
+  return m;
+}
+
+// Is there a distribution to speak of, or a constant with its rounding?
+bool varies(const Moments& m, double natural) { return m.count > 0 && m.m2 > 0 && m.sd() >= kRounding * natural; }
+
+// z = (x - shift) / scale
+struct ZScore {
+  double shift, scale;
+};
+ZScore z_score(const Moments& m) { return {m.mean, std::max(m.sd(), kSpreadFloor * std::abs(m.mean))}; }
+
+// The z-score that maps [low, high] onto the binning's interval.
+ZScore onto_interval(double low, double high, const Binning& b) {
+  const double scale = (high - low) / (b.upper - b.lower);
+  return {low - scale * b.lower, scale};
+}
+
+Histogram histogram(const std::vector<double>& values, const ZScore& z, const Binning& b) {
+  Histogram h{std::vector<std::uint64_t>(static_cast<std::size_t>(b.bins), 0), 0, 0};
+  const double per_unit = b.bins / (b.upper - b.lower);
+  const auto last = static_cast<std::size_t>(b.bins - 1);
+  for (const double x : values) {
+    const double score = (x - z.shift) / z.scale;
+    if (std::isnan(score)) continue;
+    ++h.samples;
+    if (score >= b.lower && score <= b.upper) {  // so the cast below is safe
+      ++h.counts[std::min(static_cast<std::size_t>((score - b.lower) * per_unit), last)];
+    } else {
+      ++h.outside;
+      if (b.clip) ++h.counts[score < b.lower ? 0 : last];
+    }
+  }
+  return h;
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double p) {
+  if (values.empty()) return kNaN;
+  const double position = p * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(below);
+  std::nth_element(values.begin(), at, values.end());
+  if (below + 1 == values.size()) return *at;
+  const double above = *std::min_element(at + 1, values.end());
+  return *at + (position - static_cast<double>(below)) * (above - *at);
+}
+
+Binning Binning::standard(Normalisation normalisation) {
+  switch (normalisation) {
+    case Normalisation::separate:
+      return {normalisation, -5, 5, 100, false};
+    case Normalisation::none:
+      return {normalisation, -5, 5, 100, true};
+    case Normalisation::reference:
+      break;
+  }
+  return {};
+}
+
+void Histogram::add(const Histogram& other) {
+  if (counts.empty()) counts.resize(other.counts.size());
+  if (!other.counts.empty() && other.counts.size() != counts.size()) throw std::invalid_argument("Histogram::add: bins differ");
+  for (std::size_t i = 0; i < other.counts.size(); ++i) counts[i] += other.counts[i];
+  samples += other.samples;
+  outside += other.outside;
+}
+
+std::vector<double> density(const Histogram& h, double lower, double upper) {
+  if (h.samples == 0) return {};
+  const double unit = static_cast<double>(h.counts.size()) / (static_cast<double>(h.samples) * (upper - lower));
+  std::vector<double> q;
+  q.reserve(h.counts.size());
+  for (const std::uint64_t n : h.counts) q.push_back(static_cast<double>(n) * unit);
+  return q;
+}
+
+// Welford 1962
+void Moments::add(double x) {
+  if (!std::isfinite(x)) return;
+  ++count;
+  const double delta = x - mean;
+  mean += delta / static_cast<double>(count);
+  m2 += delta * (x - mean);
+}
+
+// Chan, Golub and LeVeque 1979
+void Moments::add(const Moments& other) {
+  if (other.count == 0) return;
+  const auto n = static_cast<double>(count), k = static_cast<double>(other.count);
+  const double delta = other.mean - mean;
+  mean += delta * (k / (n + k));
+  m2 += other.m2 + delta * delta * (n * k / (n + k));
+  count += other.count;
+}
+
+double Moments::sd() const { return count == 0 ? kNaN : std::sqrt(m2 / static_cast<double>(count)); }
+
+Target::Target(const MetricSamples& recording, const Binning& binning) : binning_(binning) {
+  if (binning.bins < 1 || !(binning.lower < binning.upper) || !std::isfinite(binning.upper - binning.lower))
+    throw std::invalid_argument("Binning: needs at least one bin and a finite interval");
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    const auto& values = recording.values[m];
+    Distribution& own = recording_[m];
+    own.moments = moments(values);
+    ZScore z = z_score(own.moments);
+    defined_[m] = varies(own.moments, recording.natural[m]);
+    if (defined_[m] && binning.normalisation == Normalisation::none) {
+      z = onto_interval(quantile(values, 0.005), quantile(values, 0.995), binning);
+      defined_[m] = z.scale > 0;
+    }
+    shift_[m] = z.shift;
+    scale_[m] = z.scale;
+    if (!defined_[m]) continue;
+    own.histogram = histogram(values, z, binning);
+    pdf_[m] = density(own.histogram, binning.lower, binning.upper);
+  }
+}
+
+PerMetric<Distribution> Target::distributions(const MetricSamples& simulated) const {
+  PerMetric<Distribution> out;
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    const auto& values = simulated.values[m];
+    out[m].moments = moments(values);
+    if (!defined_[m]) continue;
+    const bool own = binning_.normalisation == Normalisation::separate;
+    if (own && !varies(out[m].moments, simulated.natural[m])) continue;
+    out[m].histogram = histogram(values, own ? z_score(out[m].moments) : ZScore{shift_[m], scale_[m]}, binning_);
+  }
+  return out;
+}
+
+Energies Target::energies(const PerMetric<Distribution>& simulated) const {
+  Energies energy;
+  energy.fill(kNaN);
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    const auto& real = pdf_[m];
+    const auto q = density(simulated[m].histogram, binning_.lower, binning_.upper);
+    if (real.empty() || q.empty()) continue;
+    if (q.size() != real.size()) throw std::invalid_argument("Target::energies: bins differ");
+    double sum = 0;
+    for (std::size_t i = 0; i < q.size(); ++i) sum += std::abs(real[i] - q[i]);
+    energy[m] = sum;
+  }
+  return energy;
+}
+
+Target::Axis Target::axis(std::size_t metric) const {
+  return {shift_[metric] + scale_[metric] * binning_.lower, scale_[metric] * (binning_.upper - binning_.lower) / binning_.bins};
+}
+
+double Target::worst() const { return 2 * binning_.bins / (binning_.upper - binning_.lower); }
+
+}  // namespace swarmfit
