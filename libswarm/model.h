@@ -41,15 +41,15 @@ struct Range {
 struct Parameter {
   enum class Length { extent, spacing };  // which length of the recording scales it in a fit
 
-  std::string_view name;     // on the command line and in results
-  std::string_view symbol;   // as printed in the source
-  Unit unit;                 // in length units and seconds
-  Range scene;               // default and bounds in simulation units, as in the papers: for scenes
-  Range fit;                 // default and bounds in a fit, in multiples of L^length T^time (or NND^length)
+  std::string_view name;    // on the command line and in results
+  std::string_view symbol;  // as printed in the source
+  Unit unit;                // in length units and seconds
+  Range scene;              // default and bounds in simulation units, as in the papers: for scenes
+  Range fit;                // default and bounds in a fit, in multiples of L^length T^time (or NND^length)
   Length length = Length::extent;
   bool log = false;          // searched on a logarithmic scale; needs a positive lower bound
   bool fitted = false;       // searched by default
-  std::string_view when;     // used only with these options: "noise=curl|perlin"; empty: always
+  std::string_view when;     // used only with these options: "noise=curl|perlin,interaction=on" (| or, comma and); empty: always
   std::string_view meaning;  // one line
   std::string_view source;   // paper and equation, or why this value
   bool integer = false;
@@ -129,12 +129,13 @@ struct Counters {
 };
 
 struct StepContext {
-  double t, dt;                // [s]
-  std::uint64_t tick;          // number of the step since the start of the run: the time axis of random numbers
-  std::span<const double> p;   // one value per row of the parameter table, schedules applied, in the state's units
+  double t, dt;               // [s]
+  std::uint64_t tick;         // eighths of a step since the start of the run: the time axis of random numbers
+  bool can_halve;             // false: this step may not return halve_dt
+  std::span<const double> p;  // one value per row of the parameter table, schedules applied, in the state's units
   Rng rng;
   Neighbours& near;
-  Workspace* work;             // made by Model::workspace for this run
+  Workspace* work;  // made by Model::workspace for this run
   Counters& count;
 };
 
@@ -145,14 +146,17 @@ class Model {
  public:
   virtual ~Model() = default;
 
+  // Number of private columns: ModelSpec::columns.size().
+  virtual Index columns() const { return 0; }
+
   // Fills the private columns of agents that have just appeared: rows first .. end.
   virtual void enter(State&, Index /*first*/, const World&, const Rng&) const {}
 
   virtual std::unique_ptr<Workspace> workspace(const World&, const Rng&) const { return nullptr; }
 
   // Advances all agents by one step. Reads only the frozen `now`, writes only pos, vel and own of `next`, which has the same agents in the
-  // same rows; a model that declares itself sequential may reread what it wrote. Returns halve_dt to have the step redone as two, and
-  // blew_up when motion is no longer finite. One call per step, never per agent.
+  // same rows and the same private columns; a model that declares itself sequential may reread what it wrote. Returns halve_dt to have the
+  // step redone as two, and blew_up when motion is no longer finite. One call per step, never per agent. The bounds are kept afterwards.
   virtual Step step(const State& now, State& next, const World&, const StepContext&) const = 0;
 };
 

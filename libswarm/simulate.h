@@ -10,30 +10,30 @@ namespace swarmfit {
 
 // A parameter that changes over time: piecewise linear between keys, constant outside.
 struct Schedule {
-  std::size_t parameter;                          // row of the parameter table
-  std::vector<std::pair<double, double>> keys;    // (time [s], value), times ascending
+  std::size_t parameter;                        // row of the parameter table
+  std::vector<std::pair<double, double>> keys;  // (time [s], value), times ascending
   double at(double t) const;
 };
 
 // What all runs of a batch share.
 struct Plan {
-  double frame_dt = 0.01;        // [s]
-  int substeps = 1;              // steps per frame
+  double frame_dt = 0.01;  // [s]
+  int substeps = 1;        // steps per frame
   std::int64_t first_frame = 0;
-  std::int64_t frames = 1;       // number of frames to emit, the first included
+  std::int64_t frames = 1;  // number of frames to emit, the first included
   std::vector<Schedule> schedules;
-  double speed_limit = 1e300;    // a run whose agents exceed it has blown up [unit/s]
+  double speed_limit = 1e300;  // a run whose agents exceed it has blown up [unit/s]
 };
 
 // One run: one candidate × replicate. `state` is the start; it is advanced in place.
 struct Lane {
-  std::vector<double> p;   // parameter values
+  std::vector<double> p;  // parameter values
   Rng rng;
   State state;
   World world;
   FrameSink* out = nullptr;
   Counters count;
-  bool blew_up = false;    // stopped early: motion was not finite, or beyond the speed limit
+  bool blew_up = false;  // stopped early: motion was not finite, or beyond the speed limit
 };
 
 // Steps many lanes at once: one after the other here on the CPU, side by side on a GPU later.

@@ -34,6 +34,7 @@ void State::remove(Index row) {
   drop(pos);
   id.erase(id.begin() + row);
   kind.erase(kind.begin() + row);
+  if (row < entered) --entered;
 }
 
 }  // namespace swarmfit

@@ -13,6 +13,7 @@ struct State {
   std::vector<std::uint8_t> kind;  // sheep 0, shepherd 1, ...: defined by the model or scenario
   Eigen::ArrayXXd own;             // the model's named private columns, agents × columns (ModelSpec::columns)
   std::uint32_t next_id = 0;       // id of the next agent that is spawned without one
+  Index entered = 0;               // rows from here on have appeared since Model::enter was last called
 
   Index size() const { return pos.rows(); }
 

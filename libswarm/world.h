@@ -2,6 +2,7 @@
 // The surroundings of the agents. The world advances between steps; models only read it.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -87,8 +88,9 @@ class Presence : public WorldPart {
 
  private:
   std::shared_ptr<const std::vector<Visit>> visits_;  // by entry, then id; shared by all copies
-  std::size_t entered_ = 0;
-  std::int64_t done_ = INT64_MIN;  // last frame handled
+  std::size_t entered_ = 0;                           // visits begun so far
+  std::map<std::uint32_t, std::int64_t> leave_;       // last frame of those who are here
+  std::int64_t done_ = INT64_MIN;                     // last frame handled
 };
 
 }  // namespace swarmfit

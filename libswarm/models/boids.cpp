@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// boids – Reynolds' flocking rules at constant speed
+// ===================================================
+// C. W. Reynolds, Flocks, herds and schools: a distributed behavioral model, SIGGRAPH 1987 (doi:10.1145/37401.37406), in the two-parameter
+// form (speed, radius) that Ren et al. 2016 (doi:10.1371/journal.pone.0155698) fit in their Tables S17–S20.
+//
+//   S = sum over j nearer than radius / 2 of (p_i - p_j) / d²      separation
+//   A = mean over j nearer than radius of v_j - v_i                alignment
+//   C = mean over j nearer than radius of p_j - p_i                cohesion
+//   v = speed · unit(v + (speed / tau) dt (1.5 unit(S) + unit(A) + unit(C)))
+//   p = p + v dt
+//
+// unit(0) = 0. Synchronous, semi-implicit Euler. Without a neighbour an agent flies straight on. tau is the turning time; speed / tau is
+// the steering acceleration, so the path does not depend on the time step.
+#include <cmath>
+
+#include "libswarm/model.h"
+#include "libswarm/noise.h"
+#include "libswarm/parallel.h"
+
+namespace swarmfit {
+namespace {
+
+using Eigen::Array3d;
+
+// Rows of the parameter table, in its order.
+enum Row : std::size_t { kSpeed, kRadius, kTau };
+
+constexpr double kSeparation = 1.5, kAlignment = 1, kCohesion = 1;
+
+Array3d unit(const Array3d& a) {
+  const double length = std::sqrt(a.square().sum());
+  return length > 0 ? Array3d(a / length) : Array3d(Array3d::Zero());
+}
+
+class Boids : public Model {
+ public:
+  explicit Boids(const Setup& setup) : dims_(setup.dims) {}
+
+  Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
+    c.near.build(now.pos, world.bounds, c.p[kRadius]);
+    const double speed = c.p[kSpeed];
+    for_each_agent(now.size(), [&](Index i) {
+      const Array3d before = now.vel.row(i).transpose();
+      Array3d heading = unit(before + speed / c.p[kTau] * c.dt * steering(now, i, c));
+      if ((heading == 0).all()) heading = at_rest(now, i, c);
+      const Array3d v = speed * heading;
+      next.vel.row(i) = v.transpose();
+      next.pos.row(i) = now.pos.row(i) + v.transpose() * c.dt;
+    });
+    return Step::done;
+  }
+
+ private:
+  Array3d steering(const State& now, Index i, const StepContext& c) const {
+    const double personal = c.p[kRadius] / 2;
+    Array3d separation = Array3d::Zero(), alignment = Array3d::Zero(), cohesion = Array3d::Zero();
+    c.near.visit(i, [&](Index j, const Array3d& offset, double distance) {
+      if (distance < personal && distance > 0) separation -= offset / (distance * distance);
+      alignment += (now.vel.row(j) - now.vel.row(i)).transpose();
+      cohesion += offset;
+    });
+    return kSeparation * unit(separation) + kAlignment * unit(alignment) + kCohesion * unit(cohesion);
+  }
+
+  // An agent without any velocity flies in a direction of its own.
+  Array3d at_rest(const State& now, Index i, const StepContext& c) const {
+    return random_direction(c.rng, Stream::tie_break, c.tick, now.id[static_cast<std::size_t>(i)], 0, dims_);
+  }
+
+  int dims_;
+};
+
+}  // namespace
+
+ModelSpec boids_spec() {
+  using enum Parameter::Length;
+  return {.name = "boids",
+          .summary = "separation, alignment and cohesion at constant speed",
+          .citation = "Reynolds 1987, doi:10.1145/37401.37406; two-parameter form of Ren et al. 2016, doi:10.1371/journal.pone.0155698",
+          .dims = {2, 3},
+          .native_dt = 0.01,
+          .largest_dt = 1.0 / 20,
+          .options = {},
+          .columns = {},
+          .parameters =
+              {
+                  {"speed", "v", {1, -1}, {7.5, 0.1, 10}, {1, 0.1, 4}, extent, true, true, "", "constant speed", "Table S17"},
+                  {"radius", "r", {1, 0}, {0.26, 0.01, 10}, {1.5, 0.1, 10}, spacing, true, true, "", "radius of perception", "Table S17"},
+                  {"tau", "τ", {0, 1}, {0.2, 0.01, 10}, {0.5, 0.05, 10}, extent, true, false, "", "turning time", "our choice"},
+              },
+          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Boids>(setup); }};
+}
+
+}  // namespace swarmfit

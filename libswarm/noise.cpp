@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "libswarm/noise.h"
+
+#include <numbers>
+#include <utility>
+
+namespace swarmfit {
+namespace {
+
+// Perlin's 16 gradient directions: the 12 edges of a cube, four of them twice.
+constexpr double kGradient[16][3] = {{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {1, 0, 1}, {-1, 0, 1}, {1, 0, -1}, {-1, 0, -1},
+                                     {0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1}, {1, 1, 0}, {0, -1, 1}, {-1, 1, 0}, {0, -1, -1}};
+
+// Position along one axis: lattice cell, fraction within it, fade weight 6t⁵ - 15t⁴ + 10t³ and its derivative.
+struct Along {
+  unsigned cell;
+  double t, fade, slope;
+
+  explicit Along(double x) {
+    const double floor = std::floor(x);
+    cell = static_cast<unsigned>(static_cast<std::int64_t>(floor)) & 255u;
+    t = x - floor;
+    fade = t * t * t * (t * (t * 6 - 15) + 10);
+    slope = 30 * t * t * (t - 1) * (t - 1);
+  }
+};
+
+// A corner's linear ramp g·(f - corner), and what becomes of several under trilinear blending.
+using Ramp = std::array<double, 4>;  // value, gradient
+
+Ramp mix(const Ramp& a, const Ramp& b, double w) {
+  return {a[0] + w * (b[0] - a[0]), a[1] + w * (b[1] - a[1]), a[2] + w * (b[2] - a[2]), a[3] + w * (b[3] - a[3])};
+}
+
+// Blends two ramps along `axis`; the weight's own derivative adds slope · (b - a) there (product rule).
+Ramp blend(const Ramp& a, const Ramp& b, const Along& along, std::size_t axis) {
+  Ramp r = mix(a, b, along.fade);
+  r[1 + axis] += along.slope * (b[0] - a[0]);
+  return r;
+}
+
+}  // namespace
+
+Perlin::Perlin(const Permutation& permutation) {
+  for (std::size_t i = 0; i < hash_.size(); ++i) hash_[i] = permutation[i & 255];
+}
+
+Perlin::Permutation Perlin::shuffled(const Rng& rng, std::uint32_t index) {
+  Permutation p;
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = static_cast<std::uint8_t>(i);
+  for (std::size_t i = p.size() - 1; i > 0; --i) {  // Fisher and Yates
+    const double u = rng.uniform(Stream::noise_table, 0, index, static_cast<std::uint32_t>(i));
+    std::swap(p[i], p[static_cast<std::size_t>(u * static_cast<double>(i + 1))]);
+  }
+  return p;
+}
+
+Potential Perlin::operator()(const Eigen::Array3d& position) const {
+  const Along x(position[0]), y(position[1]), z(position[2]);
+  const auto corner = [&](unsigned i, unsigned j, unsigned k) -> Ramp {
+    const auto h = hash_[hash_[hash_[x.cell + i] + y.cell + j] + z.cell + k] & 15u;
+    const double* g = kGradient[h];
+    return {g[0] * (x.t - i) + g[1] * (y.t - j) + g[2] * (z.t - k), g[0], g[1], g[2]};
+  };
+  const auto edge = [&](unsigned j, unsigned k) { return blend(corner(0, j, k), corner(1, j, k), x, 0); };
+  const auto face = [&](unsigned k) { return blend(edge(0, k), edge(1, k), y, 1); };
+  const Ramp r = blend(face(0), face(1), z, 2);
+  return {r[0], {r[1], r[2], r[3]}};
+}
+
+NoiseField::NoiseField(const Rng& rng)
+    : perlin_{Perlin(Perlin::shuffled(rng, 0)), Perlin(Perlin::shuffled(rng, 1)), Perlin(Perlin::shuffled(rng, 2))} {
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const auto xy = rng.uniform2(Stream::noise_table, 1, k, 0);
+    const auto z = rng.uniform2(Stream::noise_table, 1, k, 1);
+    offset_[k] = 256 * Eigen::Array3d(xy[0], xy[1], z[0]);
+  }
+}
+
+Eigen::Array3d NoiseField::potential(const Eigen::Array3d& x) const {
+  return {perlin_[0](x + offset_[0]).value, perlin_[1](x + offset_[1]).value, perlin_[2](x + offset_[2]).value};
+}
+
+Eigen::Array3d NoiseField::curl(const Eigen::Array3d& x) const {
+  const Eigen::Array3d p1 = perlin_[0](x + offset_[0]).gradient;
+  const Eigen::Array3d p2 = perlin_[1](x + offset_[1]).gradient;
+  const Eigen::Array3d p3 = perlin_[2](x + offset_[2]).gradient;
+  return {p3[1] - p2[2], p1[2] - p3[0], p2[0] - p1[1]};
+}
+
+Eigen::Array3d NoiseField::curl2(const Eigen::Array3d& x) const {
+  const Eigen::Array3d p = perlin_[0](x + offset_[0]).gradient;
+  return {p[1], -p[0], 0};
+}
+
+Eigen::Array3d white_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id) {
+  const auto xy = rng.uniform2(Stream::noise, tick, id, 0);
+  const double z = rng.uniform(Stream::noise, tick, id, 1);
+  return {2 * xy[0] - 1, 2 * xy[1] - 1, 2 * z - 1};
+}
+
+Eigen::Array3d gaussian_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id) {
+  const auto xy = rng.normal2(Stream::noise, tick, id, 0);
+  return {xy[0], xy[1], rng.normal2(Stream::noise, tick, id, 1)[0]};
+}
+
+Eigen::Array3d random_direction(const Rng& rng, Stream stream, std::uint64_t tick, std::uint32_t id, std::uint32_t draw, int dims) {
+  const auto u = rng.uniform2(stream, tick, id, draw);
+  const double angle = 2 * std::numbers::pi * u[0];
+  const double z = dims == 2 ? 0 : 2 * u[1] - 1;  // Archimedes: uniform height is uniform on the sphere
+  const double rho = std::sqrt(1 - z * z);
+  return {rho * std::cos(angle), rho * std::sin(angle), z};
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "libswarm/model.h"
+#include "libtrack/error.h"
+
+namespace swarmfit {
+
+#define MODEL(name) ModelSpec name##_spec();
+#include "libswarm/models.def"
+#undef MODEL
+
+std::span<const ModelSpec> models() {
+#define MODEL(name) name##_spec(),
+  static const std::array specs{
+#include "libswarm/models.def"
+  };
+#undef MODEL
+  return specs;
+}
+
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+// Calls piece(text) for each part of `text` between separators.
+template <class Piece>
+void split(std::string_view text, char separator, Piece&& piece) {
+  for (std::size_t first = 0; first <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, first), text.size());
+    piece(text.substr(first, end - first));
+    first = end + 1;
+  }
+}
+
+const Option& find_option(const ModelSpec& spec, std::string_view name) {
+  const auto found = std::find_if(spec.options.begin(), spec.options.end(), [&](const Option& o) { return o.name == name; });
+  if (found != spec.options.end()) return *found;
+  Names names;
+  for (const Option& o : spec.options) names.push_back(o.name);
+  throw InputError(fmt::format("model {}: unknown option '{}'; expected one of {}", spec.name, name, fmt::join(names, ", ")));
+}
+
+const ModelSpec& find_model(std::string_view name) {
+  Names names;
+  for (const ModelSpec& spec : models()) {
+    if (spec.name == name) return spec;
+    names.push_back(spec.name);
+  }
+  throw InputError(fmt::format("model '{}': unknown; expected one of {}", name, fmt::join(names, ", ")));
+}
+
+std::string canonical(const ModelSpec& spec, const Options& options) {
+  std::vector<std::string> settings;
+  for (const Option& o : spec.options)
+    if (const auto& value = options.find(o.name)->second; value != o.values.front())
+      settings.push_back(fmt::format("{}={}", o.name, value));
+  return settings.empty() ? std::string(spec.name) : fmt::format("{}[{}]", spec.name, fmt::join(settings, ","));
+}
+
+}  // namespace
+
+double Parameter::scale(const Scales& s) const {
+  const double unit_length = length == Length::extent ? s.extent : s.spacing;
+  return std::pow(unit_length, unit.length) * std::pow(s.time(), unit.time);
+}
+
+std::string to_string(Unit unit, const std::string& length_unit) {
+  const auto power = [](const std::string& base, double exponent) { return exponent == 1 ? base : fmt::format("{}^{:g}", base, exponent); };
+  std::string above, below;
+  const auto place = [&](const std::string& base, double exponent) {
+    if (exponent == 0) return;
+    std::string& side = exponent > 0 ? above : below;
+    side += (side.empty() ? "" : "·") + power(base, std::abs(exponent));
+  };
+  place(length_unit, unit.length);
+  place("s", unit.time);
+  if (below.empty()) return above;
+  return (above.empty() ? "1" : above) + "/" + (below.find("·") == std::string::npos ? below : "(" + below + ")");
+}
+
+Options ModelSpec::resolve(const Options& given) const {
+  Options all;
+  for (const Option& o : this->options) all.emplace(o.name, o.values.front());
+  for (const auto& [key, value] : given) {
+    const Option& o = find_option(*this, key);
+    if (std::find(o.values.begin(), o.values.end(), value) == o.values.end())
+      throw InputError(fmt::format("model {}: option {} cannot be '{}'; expected one of {}", name, key, value, fmt::join(o.values, ", ")));
+    all[key] = value;
+  }
+  return all;
+}
+
+int ModelSpec::find(std::string_view parameter) const {
+  const auto found = std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.name == parameter; });
+  return found == parameters.end() ? -1 : static_cast<int>(found - parameters.begin());
+}
+
+bool ModelSpec::uses(std::size_t p, const Options& given) const {
+  const std::string_view when = parameters[p].when;
+  bool used = true;
+  if (when.empty()) return used;
+  split(when, ',', [&](std::string_view condition) {
+    const std::size_t equals = condition.find('=');
+    const auto option = given.find(condition.substr(0, equals));
+    bool any = false;
+    split(condition.substr(equals + 1), '|',
+          [&](std::string_view value) { any = any || (option != given.end() && option->second == value); });
+    used = used && any;
+  });
+  return used;
+}
+
+ModelChoice parse_model(std::string_view text) {
+  const std::size_t bracket = text.find('[');
+  const ModelSpec& spec = find_model(text.substr(0, bracket));
+  Options given;
+  if (bracket != std::string_view::npos) {
+    if (text.back() != ']') throw InputError(fmt::format("model '{}': no closing bracket; expected name[option=value,...]", text));
+    split(text.substr(bracket + 1, text.size() - bracket - 2), ',', [&](std::string_view setting) {
+      const std::size_t equals = setting.find('=');
+      if (equals == std::string_view::npos)
+        throw InputError(fmt::format("model '{}': '{}' is not a setting; expected name[option=value,...]", text, setting));
+      if (!given.emplace(setting.substr(0, equals), setting.substr(equals + 1)).second)
+        throw InputError(fmt::format("model '{}': option {} is given twice; expected once", text, setting.substr(0, equals)));
+    });
+  }
+  Options options = spec.resolve(given);
+  std::string name = canonical(spec, options);
+  return {&spec, std::move(options), std::move(name)};
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "libswarm/simulate.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace swarmfit {
+namespace {
+
+constexpr int kHalvings = 3;
+constexpr std::uint64_t kTicksPerStep = 1u << kHalvings;  // so that every part of a halved step draws numbers of its own
+
+// Everything one lane needs while it runs; allocated once.
+class Run {
+ public:
+  Run(const Model& model, const Plan& plan, Lane& lane)
+      : model_(model), plan_(plan), lane_(lane), now_(lane.state), p_(lane.p), work_(model.workspace(lane.world, lane.rng)) {}
+
+  void operator()() {
+    settle();
+    for (std::int64_t k = 0; k < plan_.frames && !lane_.blew_up; ++k) {
+      const std::int64_t frame = plan_.first_frame + k;
+      prepare(frame, 0);
+      if (lane_.out) lane_.out->frame({frame, now_.id, now_.kind, now_.pos, now_.vel});
+      if (k + 1 < plan_.frames) advance_frame(frame, k);
+    }
+  }
+
+ private:
+  double dt() const { return plan_.frame_dt / plan_.substeps; }
+  double time(std::int64_t frame, int sub) const { return static_cast<double>(frame) * plan_.frame_dt + sub * dt(); }
+
+  // Lets the world move and agents come and go.
+  void prepare(std::int64_t frame, int sub) {
+    lane_.world.advance({frame, sub, time(frame, sub), dt()}, now_);
+    settle();
+  }
+
+  // Newcomers get their private columns, and the second buffer the same agents as the first.
+  void settle() {
+    if (now_.own.cols() != model_.columns()) now_.own.setZero(now_.size(), model_.columns());
+    if (now_.entered < now_.size()) {
+      const Index first = now_.entered;
+      now_.entered = now_.size();
+      model_.enter(now_, first, lane_.world, lane_.rng);
+    }
+    if (next_.id != now_.id || next_.kind != now_.kind) next_ = now_;
+    next_.entered = now_.entered;
+    next_.next_id = now_.next_id;
+  }
+
+  void advance_frame(std::int64_t frame, std::int64_t k) {
+    for (int sub = 0; sub < plan_.substeps && !lane_.blew_up; ++sub) {
+      if (sub > 0) prepare(frame, sub);
+      for (const Schedule& s : plan_.schedules) p_[s.parameter] = s.at(time(frame, sub));
+      const auto step = static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(plan_.substeps) + static_cast<std::uint64_t>(sub);
+      advance(time(frame, sub), dt(), step * kTicksPerStep, kHalvings);
+    }
+  }
+
+  // One step, or two halves of it if the model asks for that.
+  void advance(double t, double length, std::uint64_t tick, int halvings) {
+    if (now_.size() == 0 || lane_.blew_up) return;
+    if (now_.own.cols() > 0) next_.own = now_.own;
+    const StepContext context{t, length, tick, halvings > 0, p_, lane_.rng, near_, work_.get(), lane_.count};
+    switch (model_.step(now_, next_, lane_.world, context)) {
+      case Step::done:
+        return accept();
+      case Step::halve_dt:
+        assert(halvings > 0);
+        ++lane_.count.halved_steps;
+        advance(t, length / 2, tick, halvings - 1);
+        return advance(t + length / 2, length / 2, tick + (std::uint64_t{1} << (halvings - 1)), halvings - 1);
+      case Step::blew_up:
+        lane_.blew_up = true;
+        return;
+    }
+  }
+
+  void accept() {
+    std::swap(now_.pos, next_.pos);
+    std::swap(now_.vel, next_.vel);
+    std::swap(now_.own, next_.own);
+    lane_.world.bounds.confine(now_, lane_.world.dims);
+    lane_.count.agent_steps += static_cast<std::uint64_t>(now_.size());
+    lane_.blew_up = !sane();
+  }
+
+  // Finite positions and speeds within the limit. A NaN fails every comparison.
+  bool sane() const {
+    const double limit2 = std::min(plan_.speed_limit * plan_.speed_limit, std::numeric_limits<double>::max());
+    bool sane = true;
+    for (Index i = 0; i < now_.size(); ++i) {
+      const double vx = now_.vel(i, 0), vy = now_.vel(i, 1), vz = now_.vel(i, 2);
+      const double sum = now_.pos(i, 0) + now_.pos(i, 1) + now_.pos(i, 2);
+      sane &= (vx * vx + vy * vy + vz * vz <= limit2) & (std::abs(sum) <= 1e300);
+    }
+    return sane;
+  }
+
+  const Model& model_;
+  const Plan& plan_;
+  Lane& lane_;
+  State& now_;
+  State next_;
+  std::vector<double> p_;
+  std::unique_ptr<Workspace> work_;
+  Neighbours near_;
+};
+
+struct CpuBackend : Backend {
+  void run(const Model& model, const Plan& plan, std::span<Lane> lanes) const override {
+    for (Lane& lane : lanes) Run(model, plan, lane)();
+  }
+};
+
+}  // namespace
+
+double Schedule::at(double t) const {
+  if (t <= keys.front().first) return keys.front().second;
+  for (std::size_t k = 1; k < keys.size(); ++k) {
+    const auto& [t0, a] = keys[k - 1];
+    const auto& [t1, b] = keys[k];
+    if (t < t1) return a + (b - a) * (t - t0) / (t1 - t0);
+  }
+  return keys.back().second;
+}
+
+const Backend& cpu_backend() {
+  static const CpuBackend backend;
+  return backend;
+}
+
+int substeps(const ModelSpec& spec, const Scales& scales, double frame_dt) {
+  const double steps = frame_dt / (spec.largest_dt * scales.time());
+  return std::max(1, static_cast<int>(std::ceil(steps - 1e-9)));
+}
+
+}  // namespace swarmfit
