@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: MIT
+#include "reports/json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace swarmfit {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+template <class T>
+Json per_metric(const PerMetric<T>& values) {
+  Json out = Json::object();
+  for (std::size_t m = 0; m < kMetrics; ++m) out[std::string(kMetricInfo[m].key)] = values[m];
+  return out;
+}
+
+// One value per metric, picked out of something that holds more.
+template <class T, class Pick>
+Json per_metric(const PerMetric<T>& values, Pick pick) {
+  Json out = Json::object();
+  for (std::size_t m = 0; m < kMetrics; ++m) out[std::string(kMetricInfo[m].key)] = pick(values[m]);
+  return out;
+}
+
+Json array(const Eigen::Array3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Json samples(const PerMetric<Distribution>& d) {
+  return per_metric(d, [](const Distribution& x) { return x.histogram.samples; });
+}
+Json means(const PerMetric<Distribution>& d) {
+  return per_metric(d, [](const Distribution& x) { return x.moments.mean; });
+}
+Json sds(const PerMetric<Distribution>& d) {
+  return per_metric(d, [](const Distribution& x) { return x.moments.sd(); });
+}
+
+const char* name(Normalisation normalisation) {
+  switch (normalisation) {
+    case Normalisation::reference:
+      return "reference";
+    case Normalisation::separate:
+      return "separate";
+    case Normalisation::none:
+      return "none";
+  }
+  return "";
+}
+
+// ---- compare and fit ----------------------------------------------------------------------------------------------------------
+
+Json data(const DataFacts& d) {
+  return {{"path", d.path},
+          {"sha256", d.sha256},
+          {"format", d.format},
+          {"columns", d.columns},
+          {"synthetic", d.synthetic},
+          {"dims", d.dims},
+          {"unit", d.unit},
+          {"dt", d.dt},
+          {"rows", d.rows},
+          {"tracks", d.tracks},
+          {"frames", d.frames},
+          {"first_frame", d.first_frame},
+          {"last_frame", d.last_frame},
+          {"individuals_per_frame", d.individuals_per_frame},
+          {"extent", d.extent},
+          {"spacing", d.spacing},
+          {"speed", d.speed},
+          {"notes", d.notes}};
+}
+
+Json observation(const ObservationFacts& o) {
+  return {{"error_source", o.error_source}, {"sigma", array(o.sigma)},         {"white", o.white},
+          {"smoothing", o.smoothing},       {"velocity", o.velocity},          {"error_share", per_metric(o.error_share)},
+          {"used", per_metric(o.used)},     {"why_not", per_metric(o.why_not)}};
+}
+
+Json binning(const Comparison& c) {
+  return {{"normalisation", name(c.binning.normalisation)},
+          {"interval", {c.binning.lower, c.binning.upper}},
+          {"bins", c.binning.bins},
+          {"clip", c.binning.clip},
+          {"axis_lower", per_metric(c.axis_lower)},
+          {"axis_width", per_metric(c.axis_width)},
+          {"defined", per_metric(c.defined)}};
+}
+
+Json weight_history(const std::vector<WeightStep>& steps) {
+  Json out = Json::array();
+  for (const WeightStep& s : steps)
+    out.push_back({{"pass", s.pass},
+                   {"weights", per_metric(s.weights)},
+                   {"p1", per_metric(s.p1)},
+                   {"p2", per_metric(s.p2)},
+                   {"largest_change", s.largest_change}});
+  return out;
+}
+
+Json parameters(const std::vector<ParameterResult>& table) {
+  Json out = Json::object();
+  for (const ParameterResult& p : table)
+    out[p.name] = {{"value", p.value},       {"unit", p.unit}, {"lower", p.lower},   {"upper", p.upper},    {"fitted", p.fitted},
+                   {"at_bound", p.at_bound}, {"log", p.log},   {"symbol", p.symbol}, {"meaning", p.meaning}};
+  return out;
+}
+
+// Names of the parameters that satisfy a condition.
+template <class Condition>
+Json names(const std::vector<ParameterResult>& table, Condition condition) {
+  Json out = Json::array();
+  for (const ParameterResult& p : table)
+    if (condition(p)) out.push_back(p.name);
+  return out;
+}
+
+Json convergence(const std::vector<ConvergencePoint>& points) {
+  Json out = Json::array();
+  for (const ConvergencePoint& p : points) out.push_back({{"pass", p.pass}, {"evaluations", p.evaluations}, {"best", p.best}});
+  return out;
+}
+
+Json model(const FitResult& r) {
+  Json replicates = Json::array();
+  for (const Energies& e : r.replicate_energies) replicates.push_back(per_metric(e));
+  return {{"name", r.model},
+          {"rank", r.rank > 0 ? Json(r.rank) : Json()},
+          {"score", r.score},
+          {"score_se", r.score_se},
+          {"score_ci", {r.score - 1.96 * r.score_se, r.score + 1.96 * r.score_se}},
+          {"raw_energies", per_metric(r.raw_energies)},
+          {"raw_energies_se", per_metric(r.raw_se)},
+          {"energies", per_metric(r.energies)},
+          {"half_step_energies", per_metric(r.half_step_energies)},
+          {"replicate_energies", std::move(replicates)},
+          {"parameters", parameters(r.parameters)},
+          {"n_parameters", names(r.parameters, [](const ParameterResult& p) { return p.fitted; }).size()},
+          {"at_bounds", names(r.parameters, [](const ParameterResult& p) { return p.at_bound; })},
+          {"options", r.options},
+          {"summary", r.summary},
+          {"citation", r.citation},
+          {"mean_ratio", per_metric(r.mean_ratio)},
+          {"sd_ratio", per_metric(r.sd_ratio)},
+          {"outside_fraction", per_metric(r.outside_fraction)},
+          {"samples", samples(r.distributions)},
+          {"extent", r.extent},
+          {"spacing", r.spacing},
+          {"speed", r.speed},
+          {"evaluations", r.evaluations},
+          {"simulations", r.simulations},
+          {"failed_simulations", r.failed_simulations},
+          {"failed_final", r.failed_final},
+          {"stop_reason", r.stop_reason},
+          {"n_sub", r.substeps},
+          {"infeasible_avoidance", r.infeasible_avoidance},
+          {"convergence", convergence(r.convergence)}};
+}
+
+Json config(const std::vector<std::pair<std::string, std::string>>& settings) {
+  Json out = Json::object();
+  for (const auto& [key, value] : settings) out[key] = value;
+  return out;
+}
+
+}  // namespace
+
+std::string to_json(const Comparison& c) {
+  Json models = Json::array();
+  for (const FitResult& r : c.models) models.push_back(model(r));
+  return text({{"schema", "swarmfit-results/1"},
+               {"version", c.version},
+               {"command", c.command},
+               {"seed", c.seed},
+               {"protocol", c.protocol},
+               {"budget",
+                {{"name", c.budget},
+                 {"population", c.population},
+                 {"generations", c.generations},
+                 {"replicates", c.replicates},
+                 {"final_replicates", c.final_replicates}}},
+               {"presence", c.observation.presence},
+               {"arena", c.observation.arena},
+               {"data", data(c.data)},
+               {"observation", observation(c.observation)},
+               {"binning", binning(c)},
+               {"recording", {{"samples", samples(c.recording)}, {"mean", means(c.recording)}, {"sd", sds(c.recording)}}},
+               {"weights", per_metric(c.weights)},
+               {"p1", per_metric(c.p1)},
+               {"p2", per_metric(c.p2)},
+               {"weights_converged", c.weights_converged},
+               {"weight_history", weight_history(c.weight_history)},
+               {"models", std::move(models)},
+               {"warnings", c.warnings},
+               {"config", config(c.config)}});
+}
+
+// ---- evaluate -----------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+Json source(const TrackMeta& meta) {
+  return {{"path", meta.from.path},           {"sha256", meta.from.sha256}, {"format", meta.from.format}, {"columns", meta.from.columns},
+          {"synthetic", meta.from.synthetic}, {"dims", meta.dims},          {"unit", meta.unit},          {"dt", meta.dt},
+          {"notes", meta.from.notes}};
+}
+
+Json order(const OrderMeans& o) { return {{"polarisation", o.polarisation}, {"milling", o.milling}, {"extent", o.extent}}; }
+
+// The same fact of recording and simulation, per metric.
+template <class Fact>
+Json both(const Evaluation& e, Fact fact) {
+  return {{"real", fact(e.real_distribution)}, {"simulated", fact(e.simulated_distribution)}};
+}
+
+Json ratios(const Evaluation& e, double (*moment)(const Moments&)) {
+  PerMetric<double> ratio{};
+  for (std::size_t m = 0; m < kMetrics; ++m)
+    ratio[m] = moment(e.simulated_distribution[m].moments) / moment(e.real_distribution[m].moments);
+  return per_metric(ratio);
+}
+
+}  // namespace
+
+std::string to_json(const Evaluation& e) {
+  return text({{"schema", "swarmfit-evaluation/1"},
+               {"real", source(e.real)},
+               {"simulated", source(e.simulated)},
+               {"normalisation", name(e.binning.normalisation)},
+               {"bins", e.binning.bins},
+               {"interval", {e.binning.lower, e.binning.upper}},
+               {"clip", e.binning.clip},
+               {"axis_lower", per_metric(e.axis_lower)},
+               {"axis_width", per_metric(e.axis_width)},
+               {"raw_energies", per_metric(e.raw_energies)},
+               {"samples", both(e, samples)},
+               {"means", both(e, means)},
+               {"sds", both(e, sds)},
+               {"mean_ratio", ratios(e, [](const Moments& x) { return x.mean; })},
+               {"sd_ratio", ratios(e, [](const Moments& x) { return x.sd(); })},
+               {"order", {{"real", order(e.real_order)}, {"simulated", order(e.simulated_order)}}}});
+}
+
+// ---- weigh --------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+Json by_name(const std::vector<std::string>& keys, const std::vector<double>& values) {
+  Json out = Json::object();
+  for (std::size_t k = 0; k < keys.size(); ++k) out[keys[k]] = values[k];
+  return out;
+}
+
+}  // namespace
+
+std::string to_json(const WeighedTable& t) {
+  Json models = Json::array();
+  for (std::size_t i = 0; i < t.models.size(); ++i) {
+    Json energies = Json::object();
+    for (std::size_t j = 0; j < t.metrics.size(); ++j) energies[t.metrics[j]] = t.energies(static_cast<Index>(i), static_cast<Index>(j));
+    models.push_back({{"name", t.models[i]}, {"score", t.scores[i]}, {"energies", std::move(energies)}});
+  }
+  return text({{"schema", "swarmfit-weights/1"},
+               {"weights", by_name(t.metrics, t.weighting.weights)},
+               {"entropy", by_name(t.metrics, t.weighting.entropy)},
+               {"p1", by_name(t.metrics, t.weighting.p1)},
+               {"p2", by_name(t.metrics, t.weighting.p2)},
+               {"models", std::move(models)}});
+}
+
+// ---- describe -----------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+Json quantile_object(const Quantiles& q) {
+  return {{"count", q.count}, {"mean", q.mean},     {"sd", q.sd},   {"min", q.min},
+          {"q05", q.q05},     {"median", q.median}, {"q95", q.q95}, {"max", q.max}};
+}
+
+Json localisation(const Localisation& l) {
+  return {{"sigma", array(l.sigma)},
+          {"samples", l.samples},
+          {"white", l.white},
+          {"acceleration_share", l.acceleration_share},
+          {"jerk_share", l.jerk_share}};
+}
+
+Json suspicions(const std::vector<Suspicion>& list) {
+  Json out = Json::array();
+  for (const Suspicion& s : list) out.push_back({{"what", s.what}, {"message", s.message}, {"examples", s.examples}});
+  return out;
+}
+
+}  // namespace
+
+std::string to_json(const TrackMeta& meta, const Summary& s) {
+  return text({{"schema", "swarmfit-summary/1"},
+               {"data", source(meta)},
+               {"rows", s.rows},
+               {"tracks", s.tracks},
+               {"segments", s.segments},
+               {"gaps", s.gaps},
+               {"missing_frames", s.missing_frames},
+               {"frames", s.frames},
+               {"first_frame", s.first_frame},
+               {"last_frame", s.last_frame},
+               {"duration", s.duration},
+               {"lower", array(s.lower)},
+               {"upper", array(s.upper)},
+               {"individuals", quantile_object(s.individuals)},
+               {"track_length", quantile_object(s.track_length)},
+               {"segment_length", quantile_object(s.segment_length)},
+               {"speed", quantile_object(s.speed)},
+               {"acceleration", quantile_object(s.acceleration)},
+               {"nearest", quantile_object(s.nearest)},
+               {"extent", quantile_object(s.extent)},
+               {"polarisation", quantile_object(s.polarisation)},
+               {"milling", quantile_object(s.milling)},
+               {"speed_outliers", s.speed_outliers},
+               {"acceleration_outliers", s.acceleration_outliers},
+               {"localisation", localisation(s.localisation)},
+               {"suspicions", suspicions(s.suspicions)}});
+}
+
+// ---- models, scenarios, formats -----------------------------------------------------------------------------------------------
+
+std::string to_json(const std::string& what, const std::vector<ListEntry>& entries) {
+  Json list = Json::array();
+  for (const ListEntry& entry : entries) {
+    Json one = {{"name", entry.name}, {"summary", entry.summary}};
+    for (const auto& [key, value] : entry.facts) one[key] = value;
+    list.push_back(std::move(one));
+  }
+  return text({{"schema", "swarmfit-list/1"}, {what, std::move(list)}});
+}
+
+}  // namespace swarmfit

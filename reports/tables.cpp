@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "reports/tables.h"
+
+#include "reports/number.h"
+#include "reports/words.h"
+
+namespace swarmfit {
+
+namespace {
+
+// Collects fields into lines.
+class Csv {
+ public:
+  Csv& field(std::string_view text) {
+    if (!first_) text_ += ',';
+    first_ = false;
+    text_ += csv_field(text);
+    return *this;
+  }
+  Csv& field(double value) { return field(exact(value)); }
+  Csv& field(std::int64_t value) { return field(std::to_string(value)); }
+  Csv& fields(std::initializer_list<std::string_view> texts) {
+    for (const auto text : texts) field(text);
+    return *this;
+  }
+  void end() {
+    text_ += '\n';
+    first_ = true;
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+  bool first_ = true;
+};
+
+Csv with_header(std::initializer_list<std::string_view> names) {
+  Csv csv;
+  csv.fields(names).end();
+  return csv;
+}
+
+std::string rank_text(int rank) { return rank > 0 ? std::to_string(rank) : std::string(); }
+
+std::string ranking(const Comparison& c) {
+  Csv csv = with_header({"rank", "model", "score", "score_se", "evaluations", "simulations", "failed_simulations", "failed_final", "n_sub",
+                         "infeasible_avoidance", "stop_reason"});
+  for (const FitResult& r : c.models) {
+    csv.field(rank_text(r.rank)).field(r.model).field(r.score).field(r.score_se).field(r.evaluations).field(r.simulations);
+    csv.field(r.failed_simulations).field(r.failed_final).field(std::int64_t{r.substeps}).field(r.infeasible_avoidance);
+    csv.field(r.stop_reason).end();
+  }
+  return csv.take();
+}
+
+std::string energies(const Comparison& c) {
+  Csv csv = with_header({"model", "metric", "raw", "raw_se", "normalised", "half_step", "mean_ratio", "sd_ratio", "outside_fraction"});
+  for (const FitResult& r : c.models) {
+    for (std::size_t m = 0; m < kMetrics; ++m) {
+      csv.field(r.model).field(kMetricInfo[m].key).field(r.raw_energies[m]).field(r.raw_se[m]).field(r.energies[m]);
+      csv.field(r.half_step_energies[m]).field(r.mean_ratio[m]).field(r.sd_ratio[m]).field(r.outside_fraction[m]).end();
+    }
+  }
+  return csv.take();
+}
+
+std::string raw_energies(const Comparison& c) {
+  Csv csv;
+  csv.field("model");
+  for (std::size_t m = 0; m < kMetrics; ++m)
+    if (counts(c, m)) csv.field(kMetricInfo[m].key);
+  csv.end();
+  for (const FitResult& r : c.models) {
+    csv.field(r.model);
+    for (std::size_t m = 0; m < kMetrics; ++m)
+      if (counts(c, m)) csv.field(r.raw_energies[m]);
+    csv.end();
+  }
+  return csv.take();
+}
+
+std::string weights(const Comparison& c) {
+  Csv csv = with_header({"pass", "metric", "weight", "p1", "p2", "largest_change"});
+  for (const WeightStep& s : c.weight_history)
+    for (std::size_t m = 0; m < kMetrics; ++m)
+      csv.field(std::int64_t{s.pass})
+          .field(kMetricInfo[m].key)
+          .field(s.weights[m])
+          .field(s.p1[m])
+          .field(s.p2[m])
+          .field(s.largest_change)
+          .end();
+  for (std::size_t m = 0; m < kMetrics; ++m)
+    csv.field("final").field(kMetricInfo[m].key).field(c.weights[m]).field(c.p1[m]).field(c.p2[m]).field("").end();
+  return csv.take();
+}
+
+std::string normalisation(const Comparison& c) {
+  Csv csv = with_header({"metric", "p1", "p2"});
+  for (std::size_t m = 0; m < kMetrics; ++m) csv.field(kMetricInfo[m].key).field(c.p1[m]).field(c.p2[m]).end();
+  return csv.take();
+}
+
+std::string parameters(const Comparison& c) {
+  Csv csv = with_header({"model", "parameter", "value", "unit", "lower", "upper", "fitted", "at_bound", "meaning"});
+  for (const FitResult& r : c.models) {
+    for (const ParameterResult& p : r.parameters) {
+      csv.field(r.model).field(p.name).field(p.value).field(p.unit).field(p.lower).field(p.upper);
+      csv.field(p.fitted ? "true" : "false").field(p.at_bound ? "true" : "false").field(p.meaning).end();
+    }
+  }
+  return csv.take();
+}
+
+std::string pdfs(const Comparison& c) {
+  Csv csv;
+  csv.fields({"metric", "unit", "centre", "recording"});
+  for (const FitResult& r : c.models) csv.field(r.model);
+  csv.end();
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    std::vector<std::vector<double>> columns = {physical_density(c.recording[m].histogram, c.axis_width[m])};
+    for (const FitResult& r : c.models) columns.push_back(physical_density(r.distributions[m].histogram, c.axis_width[m]));
+    for (std::size_t bin = 0; bin < c.recording[m].histogram.counts.size(); ++bin) {
+      const double centre = c.axis_lower[m] + (static_cast<double>(bin) + 0.5) * c.axis_width[m];
+      csv.field(kMetricInfo[m].key).field(metric_unit(m, c.data.unit)).field(centre);
+      for (const auto& column : columns) csv.field(bin < column.size() ? exact(column[bin]) : std::string());
+      csv.end();
+    }
+  }
+  return csv.take();
+}
+
+std::string convergence(const Comparison& c) {
+  Csv csv = with_header({"model", "pass", "evaluations", "best"});
+  for (const FitResult& r : c.models)
+    for (const ConvergencePoint& p : r.convergence) csv.field(r.model).field(std::int64_t{p.pass}).field(p.evaluations).field(p.best).end();
+  return csv.take();
+}
+
+std::string parameter_list(const std::vector<std::string>& names, const std::vector<double>& values) {
+  std::string out;
+  for (std::size_t k = 0; k < names.size() && k < values.size(); ++k) {
+    if (k > 0) out += ';';
+    out += names[k] + '=' + exact(values[k]);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::vector<double> physical_density(const Histogram& histogram, double width) {
+  const double upper = width * static_cast<double>(histogram.counts.size());
+  return density(histogram, 0, upper);
+}
+
+std::vector<NamedTable> result_tables(const Comparison& c) {
+  return {{"ranking.csv", ranking(c)}, {"energies.csv", energies(c)},           {"raw_energies.csv", raw_energies(c)},
+          {"weights.csv", weights(c)}, {"normalisation.csv", normalisation(c)}, {"parameters.csv", parameters(c)},
+          {"pdfs.csv", pdfs(c)},       {"convergence.csv", convergence(c)}};
+}
+
+std::string history_csv(const Comparison& c) {
+  Csv csv;
+  csv.fields({"model", "pass", "phase", "failed"});
+  for (const MetricInfo& info : kMetricInfo) csv.field(info.key);
+  csv.field("parameters").end();
+  for (const HistoryRow& row : c.history) {
+    csv.field(c.named.at(row.model)).field(std::int64_t{row.pass}).field(row.phase).field(std::int64_t{row.failed});
+    for (const double energy : row.raw) csv.field(energy);
+    csv.field(parameter_list(c.searched.at(row.model), row.x)).end();
+  }
+  return csv.take();
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "reports/terminal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/number.h"
+#include "reports/words.h"
+
+namespace swarmfit {
+
+namespace {
+
+constexpr std::size_t kWidth = 100;
+
+std::string finish(std::string text, TextStyle style) { return style.unicode ? text : ascii(text); }
+
+std::string metric_symbol(std::size_t m, TextStyle style) {
+  return std::string(style.unicode ? kMetricInfo[m].symbol : kMetricInfo[m].key);
+}
+
+std::string plus_minus(double value, double se, int decimals, TextStyle style) {
+  if (!std::isfinite(value)) return kUndefined;
+  const std::string sign = style.unicode ? " ± " : " +- ";
+  return std::isfinite(se) ? fixed(value, decimals) + sign + fixed(se, decimals) : fixed(value, decimals);
+}
+
+std::string paragraph(const std::string& text, const std::string& indent = "") {
+  return indent + wrapped(printable(text), kWidth - indent.size(), indent) + '\n';
+}
+
+std::string bullets(const std::string& title, const std::vector<std::string>& items, Paint mark, TextStyle style) {
+  if (items.empty()) return {};
+  std::string out = '\n' + paint(title, mark, style) + '\n';
+  for (const std::string& item : items) out += "  - " + wrapped(printable(item), kWidth - 4, "    ") + '\n';
+  return out;
+}
+
+// ---- compare ------------------------------------------------------------------------------------------------------------------
+
+std::string data_line(const DataFacts& d) {
+  return fmt::format("{}{} · {}-D · {} · {} at {} s · {} individuals per frame", printable(d.path), d.synthetic ? " (synthetic)" : "",
+                     d.dims, counted(static_cast<std::int64_t>(d.tracks), "track"), counted(static_cast<std::int64_t>(d.frames), "frame"),
+                     rounded(d.dt), rounded(d.individuals_per_frame));
+}
+
+TextTable ranking_table(const Comparison& c, TextStyle style) {
+  std::vector<Align> align = {Align::right, Align::left, Align::right};
+  align.insert(align.end(), kMetrics + 1, Align::right);
+  TextTable table(align);
+
+  std::vector<std::string> head = {"rank", "model", style.unicode ? "score ± se" : "score +- se"};
+  for (std::size_t m = 0; m < kMetrics; ++m) head.push_back(counts(c, m) ? metric_symbol(m, style) : '(' + metric_symbol(m, style) + ')');
+  head.push_back("tried");
+  table.row(head, Paint::bold);
+
+  for (const FitResult& r : c.models) {
+    std::vector<std::string> cells = {r.rank > 0 ? std::to_string(r.rank) : kUndefined, r.model + (at_bounds(r).empty() ? "" : " *"),
+                                      plus_minus(r.score, r.score_se, 3, style)};
+    for (const double energy : r.raw_energies) cells.push_back(fixed(energy, 2));
+    cells.push_back(counted(r.evaluations));
+    table.row(cells, r.rank == 1 ? Paint::good : Paint::plain);
+  }
+
+  std::vector<std::string> weights = {"", "weight in score", ""};
+  for (std::size_t m = 0; m < kMetrics; ++m) weights.push_back(counts(c, m) ? fixed(c.weights[m], 2) : kUndefined);
+  table.row(weights, Paint::dim);
+  return table;
+}
+
+std::vector<std::string> left_out(const Comparison& c, TextStyle style) {
+  std::vector<std::string> out;
+  for (std::size_t m = 0; m < kMetrics; ++m)
+    if (!counts(c, m)) out.push_back(fmt::format("({}) {}: {}", metric_symbol(m, style), kMetricInfo[m].name, why_left_out(c, m)));
+  return out;
+}
+
+std::vector<std::string> on_bounds(const Comparison& c) {
+  std::vector<std::string> out;
+  for (const FitResult& r : c.models) {
+    const auto names = at_bounds(r);
+    if (!names.empty()) out.push_back(fmt::format("{}: {}", r.model, enumerate(names)));
+  }
+  return out;
+}
+
+std::vector<std::string> failures(const Comparison& c) {
+  std::vector<std::string> out;
+  for (const FitResult& r : c.models)
+    if (r.failed_simulations > 0)
+      out.push_back(fmt::format("{}: {} of {} simulations", r.model, counted(r.failed_simulations), counted(r.simulations)));
+  return out;
+}
+
+}  // namespace
+
+std::string ranking_text(const Comparison& c, TextStyle style) {
+  const Headline answer = headline(c);
+  std::string out = paragraph(data_line(c.data)) + '\n';
+  out += paint(wrapped(printable(answer.sentence), kWidth), Paint::bold, style) + '\n';
+  out += paragraph(answer.detail) + '\n';
+
+  const TextTable table = ranking_table(c, style);
+  const std::string over = fmt::format("raw energy per metric (0 alike .. {} disjoint)", rounded(worst_energy(c.binning)));
+  out += std::string(table.column_start(3), ' ') + paint(over, Paint::dim, style) + '\n' + table.text(style);
+
+  out += bullets("In brackets: shown, but left out of the score", left_out(c, style), Paint::bold, style);
+  out += bullets("* ended on a bound of the search, so the ranking is conditional on the bounds", on_bounds(c), Paint::warning, style);
+  out += bullets("Simulations that blew up (counted as the worst energy)", failures(c), Paint::warning, style);
+  out += bullets("Before you believe this table", c.warnings, Paint::warning, style);
+  return finish(std::move(out), style);
+}
+
+// ---- describe -----------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+std::string count_of(std::size_t n) { return counted(static_cast<std::int64_t>(n)); }
+
+TextTable contents_table(const TrackMeta& meta, const Summary& s) {
+  TextTable t({Align::left, Align::right, Align::left});
+  t.row({"tracks", count_of(s.tracks),
+         fmt::format("in {} unbroken segments; {} with {} missing frames", count_of(s.segments),
+                     counted(static_cast<std::int64_t>(s.gaps), "gap"), count_of(s.missing_frames))});
+  t.row({"frames", count_of(s.frames),
+         fmt::format("numbers {} to {}, {} s at {} Hz", s.first_frame, s.last_frame, rounded(s.duration, 4), rounded(1 / meta.dt, 4))});
+  t.row({"observations", counted(s.rows), ""});
+  for (int axis = 0; axis < meta.dims; ++axis)
+    t.row({std::string("range of ") + "xyz"[axis], "",
+           fmt::format("{} to {} {}", rounded(s.lower[axis], 4), rounded(s.upper[axis], 4), meta.unit)});
+  return t;
+}
+
+void quantile_row(TextTable& t, const std::string& what, const Quantiles& q, const std::string& unit, const std::string& note = "") {
+  t.row({what, rounded(q.median), rounded(q.q05) + " – " + rounded(q.q95), rounded(q.min) + " – " + rounded(q.max), rounded(q.mean),
+         rounded(q.sd), unit, note});
+}
+
+TextTable quantile_table(const TrackMeta& meta, const Summary& s) {
+  TextTable t({Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left, Align::left});
+  const auto outliers = [](std::size_t n) { return n == 0 ? std::string() : counted(static_cast<std::int64_t>(n), "outlier"); };
+  t.row({"", "median", "5 – 95 %", "min – max", "mean", "sd", "", ""}, Paint::bold);
+  quantile_row(t, "individuals per frame", s.individuals, "");
+  quantile_row(t, "length of a track", s.track_length, "frames");
+  quantile_row(t, "unbroken segment", s.segment_length, "frames");
+  quantile_row(t, "speed", s.speed, metric_unit(kSpeed, meta.unit), outliers(s.speed_outliers));
+  quantile_row(t, "acceleration", s.acceleration, metric_unit(kAcceleration, meta.unit), outliers(s.acceleration_outliers));
+  quantile_row(t, "nearest neighbour", s.nearest, meta.unit);
+  quantile_row(t, "rms radius of the group", s.extent, meta.unit);
+  quantile_row(t, "polarisation", s.polarisation, "0 .. 1");
+  quantile_row(t, "milling", s.milling, "0 .. 1");
+  return t;
+}
+
+std::string localisation_lines(const TrackMeta& meta, const Localisation& l) {
+  if (l.samples == 0) return "Localisation error: nothing can be told, the tracks are too short.\n";
+  std::string sigma;
+  for (int axis = 0; axis < meta.dims; ++axis) sigma += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], rounded(l.sigma[axis]));
+  return paragraph(fmt::format("Localisation error: {} {}{}; it explains {} of the acceleration and {} of the jerk (mean squares).", sigma,
+                               meta.unit, l.white ? "" : " (not white: an upper estimate)", percent(l.acceleration_share),
+                               percent(l.jerk_share)));
+}
+
+std::string suspicion_text(const Suspicion& s) {
+  return fmt::format("{}: {}{}", s.what, s.message, s.examples.empty() ? "" : " (" + s.examples + ')');
+}
+
+}  // namespace
+
+std::string describe_text(const TrackMeta& meta, const Summary& s, TextStyle style) {
+  std::string out = paint(printable(meta.from.path), Paint::bold, style) + (meta.from.synthetic ? " (synthetic)" : "") + '\n';
+  out += paragraph(fmt::format("{}-D positions in {}, one frame every {} s; read as {}{}", meta.dims, meta.unit, rounded(meta.dt, 6),
+                               meta.from.format, meta.from.columns.empty() ? "" : ", columns " + meta.from.columns)) +
+         '\n';
+  out += contents_table(meta, s).text(style) + '\n';
+  out += quantile_table(meta, s).text(style) + '\n';
+  out += localisation_lines(meta, s.localisation);
+
+  out += bullets("Repaired while reading", meta.from.notes, Paint::bold, style);
+  std::vector<std::string> suspicions;
+  for (const Suspicion& one : s.suspicions) suspicions.push_back(suspicion_text(one));
+  out += bullets("Look at these before trusting the file", suspicions, Paint::warning, style);
+  if (suspicions.empty()) out += "\nNothing suspicious found.\n";
+  return finish(std::move(out), style);
+}
+
+// ---- evaluate, weigh, lists ---------------------------------------------------------------------------------------------------
+
+std::string evaluation_text(const Evaluation& e, TextStyle style) {
+  TextTable t({Align::left, Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left});
+  t.row({"", "metric", "energy", "recording", "simulation", "mean ratio", "sd ratio", "unit"}, Paint::bold);
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    const Moments &real = e.real_distribution[m].moments, &simulated = e.simulated_distribution[m].moments;
+    const std::string sign = style.unicode ? " ± " : " +- ";
+    t.row({metric_symbol(m, style), std::string(kMetricInfo[m].name), fixed(e.raw_energies[m], 3),
+           rounded(real.mean) + sign + rounded(real.sd()), rounded(simulated.mean) + sign + rounded(simulated.sd()),
+           rounded(simulated.mean / real.mean), rounded(simulated.sd() / real.sd()), metric_unit(m, e.real.unit)});
+  }
+  TextTable order({Align::left, Align::right, Align::right});
+  order.row({"mean over frames", "recording", "simulation"}, Paint::bold);
+  order.row({"polarisation", rounded(e.real_order.polarisation), rounded(e.simulated_order.polarisation)});
+  order.row({"milling", rounded(e.real_order.milling), rounded(e.simulated_order.milling)});
+  order.row({"rms radius [" + e.real.unit + ']', rounded(e.real_order.extent), rounded(e.simulated_order.extent)});
+
+  const auto source = [](const TrackMeta& meta) { return printable(meta.from.path) + (meta.from.synthetic ? " (synthetic)" : ""); };
+  std::string out = fmt::format("recording   {}\nsimulation  {}\n\n", source(e.real), source(e.simulated));
+  out += t.text(style) + '\n' + order.text(style) + '\n';
+  out += paragraph(fmt::format("Energy: 0 for the same distribution, {} for disjoint ones.", rounded(worst_energy(e.binning))));
+  return finish(std::move(out), style);
+}
+
+std::string weights_text(const WeighedTable& table, TextStyle style) {
+  std::vector<Align> align = {Align::left, Align::right};
+  align.insert(align.end(), table.metrics.size(), Align::right);
+  TextTable t(align);
+  std::vector<std::string> head = {"model", "score"}, weights = {"weight", ""};
+  for (std::size_t j = 0; j < table.metrics.size(); ++j) {
+    head.push_back(printable(table.metrics[j]));
+    weights.push_back(fixed(table.weighting.weights[j], 4));
+  }
+  t.row(head, Paint::bold);
+  for (std::size_t i = 0; i < table.models.size(); ++i) {
+    std::vector<std::string> cells = {printable(table.models[i]), fixed(table.scores[i], 4)};
+    for (Index j = 0; j < table.energies.cols(); ++j) cells.push_back(rounded(table.energies(static_cast<Index>(i), j), 4));
+    t.row(cells);
+  }
+  t.row(weights, Paint::dim);
+  return finish(t.text(style), style);
+}
+
+std::string list_text(const std::vector<ListEntry>& entries, TextStyle style) {
+  std::size_t width = 0;
+  for (const ListEntry& entry : entries) width = std::max(width, display_width(entry.name));
+  const std::string indent(width + 3, ' ');
+  std::string out;
+  for (const ListEntry& entry : entries) {
+    const std::string gap(width - display_width(entry.name) + 2, ' ');
+    out += ' ' + paint(entry.name, Paint::bold, style) + gap + wrapped(entry.summary, kWidth - indent.size(), indent) + '\n';
+    for (const auto& [key, value] : entry.facts) {
+      const std::string line = fmt::format("{}: {}", key, value);
+      out += indent + paint(wrapped(line, kWidth - indent.size(), indent + "  "), Paint::dim, style) + '\n';
+    }
+  }
+  return finish(std::move(out), style);
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What a comparison says, in words: shared by the terminal and the HTML report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/results.h"
+
+namespace swarmfit {
+
+enum class Verdict {
+  none,    // nothing could be scored
+  single,  // one model: nothing to rank
+  tie,     // at least one other model is within two standard errors of the winner
+  clear,   // the winner leads by two standard errors or more
+  open,    // ranked, but without standard errors
+};
+
+struct Headline {
+  Verdict verdict = Verdict::none;
+  std::string sentence;  // the answer: who wins, by how much, how sure
+  std::string detail;    // what to know before quoting it
+};
+
+// The standard error of a difference of two scores is sqrt(se1² + se2²): conservative, since replicates share their seeds.
+Headline headline(const Comparison&);
+
+// Does this metric enter the score?
+bool counts(const Comparison&, std::size_t metric);
+// Why it does not; empty if it does.
+std::string why_left_out(const Comparison&, std::size_t metric);
+
+// Largest possible energy: that of disjoint distributions, 2M/(u2 - u1).
+double worst_energy(const Binning&);
+
+// "mm/s²", "rad/s", "1/s"; of a density of that metric "1/(mm/s²)".
+std::string metric_unit(std::size_t metric, const std::string& length_unit);
+std::string density_unit(std::size_t metric, const std::string& length_unit);
+
+// Names of the parameters that ended on a bound of their search.
+std::vector<std::string> at_bounds(const FitResult&);
+
+// "a", "a and b", "a, b and c".
+std::string enumerate(const std::vector<std::string>& items);
+
+// Text of unknown origin with control characters (terminal escapes, line breaks) replaced by "?".
+std::string printable(std::string_view text);
+
+}  // namespace swarmfit
