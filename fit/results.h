@@ -62,9 +62,9 @@ struct FitResult {
   std::vector<ParameterResult> parameters;     // the whole table, unused rows left out
   int rank = 0;                      // 1 is best; 0 if the score is undefined
   double score = 0;                  // E, higher is better, with the comparison's weights
-  double score_se = 0;               // standard error over the final replicates (jackknife); NaN if undefined
+  double score_se = 0;               // standard error of the mean score of single final replicates; NaN if undefined
   Energies raw_energies{};           // over the pooled final replicates
-  Energies raw_se{};                 // jackknife standard errors
+  Energies raw_se{};                 // standard errors of the mean of single replicates
   Energies energies{};               // (raw - p1)/p2, 0 where p2 = 0
   Energies half_step_energies{};     // raw energies of the same parameters at half the time step, same number of replicates
   std::vector<Energies> replicate_energies;   // raw, one per final replicate
@@ -118,7 +118,7 @@ struct Comparison {
   std::vector<std::vector<std::string>> searched;  // names of the searched parameters, per named model
   std::vector<HistoryRow> history;
   std::vector<std::string> warnings;       // sentences a reader must see before believing the table
-  std::vector<std::pair<std::string, std::string>> config;  // every resolved setting, for config.toml
+  std::vector<std::pair<std::string, std::string>> config;  // every resolved flag of the command, name and TOML value, for config.toml
 };
 
 }  // namespace swarmfit

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// What the command line says, as plain values: filled by the parser, read by the commands.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace swarmfit::cli {
+
+struct Common {
+  std::uint64_t seed = 1;
+  int threads = 0;  // 0: all cores
+  bool json = false;
+  bool quiet = false;
+};
+
+// A recording and how to read it.
+struct DataArguments {
+  std::string path;
+  std::string columns, delimiter, unit, variable, format, frames, times;
+  double fps = 0;
+  int fill_gaps = 0;
+};
+
+struct FitArguments {
+  Common common;
+  DataArguments data;
+  std::vector<std::string> models;  // one per element, settings included
+  std::string preset;
+  std::string out;
+  std::string budget = "default";
+  std::int64_t max_evaluations = 0;
+  std::vector<std::string> set, fix, bounds;
+  std::string presence = "recorded", arena = "open", velocity = "difference", normalisation = "reference", observation_error = "estimate";
+  double smoothing = 0;
+  double error_limit = 0.5;
+  int bins = 0;
+  int replicates = 0;
+};
+
+struct DescribeArguments {
+  Common common;
+  DataArguments data;
+};
+
+struct ConvertArguments {
+  Common common;
+  DataArguments data;
+  std::string out;
+  double smoothing = 0;
+};
+
+struct EvaluateArguments {
+  Common common;
+  DataArguments real;
+  std::string simulated, simulated_columns;
+  std::string normalisation = "reference", velocity = "difference";
+  int bins = 0;
+};
+
+struct WeighArguments {
+  Common common;
+  std::string table;
+};
+
+struct SimulateArguments {
+  Common common;
+  std::string model, out;
+  std::vector<std::string> set;
+  int agents = 100, dims = 3;
+  std::int64_t frames = 500, warm_up = 0;
+  double fps = 100, box = 20, noise = 0, dropout = 0;
+  double start_radius = 0, start_speed = 0.3;
+  std::string unit = "su";
+};
+
+}  // namespace swarmfit::cli

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The commands of the program: each calls the rooms, prints, and returns the exit code. InputError means exit code 2, RunError 1.
+#pragma once
+
+#include "cli/arguments.h"
+
+namespace swarmfit::cli {
+
+int describe(const DescribeArguments&);
+int convert(const ConvertArguments&);
+int evaluate(const EvaluateArguments&);
+int weigh(const WeighArguments&);
+int simulate(const SimulateArguments&);
+int fit(const FitArguments&);      // exactly one model
+int compare(const FitArguments&);  // two or more
+int list_models(const Common&);
+int list_formats(const Common&);
+
+}  // namespace swarmfit::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace swarmfit::cli {
+
+inline constexpr int kInterrupted = 130;  // exit code
+
+// From now on Ctrl-C and SIGTERM only raise a flag, which long work looks at; a second one ends the program at once.
+void install_interrupt_handler();
+bool interrupted();
+
+}  // namespace swarmfit::cli

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// The command line of swarmfit. The only file that includes CLI11, which takes long to compile.
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <functional>
+
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/version.h"
+#include "libtrack/error.h"
+
+namespace swarmfit::cli {
+namespace {
+
+void add_common(CLI::App& app, Common& common) {
+  app.add_option("--seed", common.seed, "seed of every random number; same seed, same bits")->capture_default_str();
+  app.add_option("--threads", common.threads, "threads to use, 0 for all cores; never changes a result")->check(CLI::NonNegativeNumber);
+  app.add_flag("--json", common.json, "print JSON instead of text");
+  app.add_flag("-q,--quiet", common.quiet, "no progress, no remarks");
+}
+
+void add_data(CLI::App& app, DataArguments& data, const char* name, const char* help) {
+  app.add_option(name, data.path, help)->required();
+  app.add_option("--columns", data.columns, "what the columns hold: id,x,y,z,t,_,_ by position (_ skips), or id=object,t=time,x=X by header name");
+  app.add_option("--delimiter", data.delimiter, "column delimiter, if it is not found by itself");
+  app.add_option("--fps", data.fps, "frames per second, where the file does not tell")->check(CLI::PositiveNumber);
+  app.add_option("--unit", data.unit, "length unit, where the file does not tell: mm, m, px, ...");
+  app.add_option("--var", data.variable, "variable inside a container file (.mat)");
+  app.add_option("--format", data.format, "file format, if it is not found by itself: see swarmfit formats");
+  app.add_option("--frames", data.frames, "use frames a:b only, inclusive, in the file's numbering");
+  app.add_option("--times", data.times, "use times a:b only, inclusive [s]");
+  app.add_option("--fill-gaps", data.fill_gaps, "fill gaps of at most this many frames by linear interpolation")->check(CLI::NonNegativeNumber);
+}
+
+void add_fit(CLI::App& app, FitArguments& a) {
+  add_common(app, a.common);
+  add_data(app, a.data, "DATA", "recording: a file, - for standard input, or demo");
+  app.add_option("-m,--model", a.models, "models, comma-separated, with settings in brackets: bswarm,boids,bswarm[noise=white]");
+  app.add_option("-o,--out", a.out, "run directory; swarmfit-<name of the data> if not given");
+  app.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
+  app.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);
+  app.add_option("--replicates", a.replicates, "simulations per candidate, instead of the budget's")->check(CLI::NonNegativeNumber);
+  app.add_option("--set", a.set, "parameter=value, not searched; model.parameter=value for one model")->take_all();
+  app.add_option("--fix", a.fix, "parameters to keep at their default")->delimiter(',')->take_all();
+  app.add_option("--bounds", a.bounds, "parameter=lower:upper, searched in between")->take_all();
+  app.add_option("--presence", a.presence, "who is there when: recorded, or constant (everybody of the first frame, throughout)")
+      ->check(CLI::IsMember({"recorded", "constant"}))->capture_default_str();
+  app.add_option("--arena", a.arena, "open, box, sphere, or x0:x1,y0:y1[,z0:z1]")->capture_default_str();
+  app.add_option("--obs-noise", a.observation_error, "localisation error put on simulated positions: estimate, or a value in length units")
+      ->capture_default_str();
+  app.add_option("--error-limit", a.error_limit, "leave a metric out of the score if more than this share of its variance is localisation error")
+      ->check(CLI::Range(0.0, 1.0))->capture_default_str();
+  app.add_option("--smooth", a.smoothing, "smooth recording and simulations alike, Gaussian, standard deviation in frames")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--velocity", a.velocity, "difference of positions, or the recorded velocity column")
+      ->check(CLI::IsMember({"difference", "recorded"}))->capture_default_str();
+  app.add_option("--normalisation", a.normalisation, "whose mean and deviation standardise the metrics: reference, separate or none")
+      ->check(CLI::IsMember({"reference", "separate", "none"}))->capture_default_str();
+  app.add_option("--bins", a.bins, "histogram bins, instead of the normalisation's default")->check(CLI::NonNegativeNumber);
+}
+
+// All commands and what the user gave them.
+struct Program {
+  CLI::App app{"swarmfit - which model explains my tracks, with which parameters, and how sure can I be?"};
+  FitArguments compare, fit;
+  DescribeArguments describe;
+  ConvertArguments convert;
+  EvaluateArguments evaluate;
+  WeighArguments weigh;
+  SimulateArguments simulate;
+  Common list;
+  std::function<int()> chosen;
+
+  Program() {
+    app.require_subcommand(1);
+    app.set_version_flag("--version", std::string("swarmfit ") + kVersion);
+    app.set_config("--config", "", "read options from a TOML file, such as config.toml of a run");
+    app.allow_config_extras(CLI::config_extras_mode::error);
+    app.fallthrough();
+    app.failure_message([](const CLI::App*, const CLI::Error& e) { return std::string("swarmfit: ") + e.what() + "; see --help\n"; });
+    add_describe();
+    add_convert();
+    add_simulate();
+    add_evaluate();
+    add_weigh();
+    add_fits();
+    add_lists();
+  }
+
+  CLI::App& command(const char* name, const char* help, std::function<int()> run) {
+    auto* sub = app.add_subcommand(name, help);
+    sub->callback([this, run] { chosen = run; });
+    return *sub;
+  }
+
+  void add_describe() {
+    auto& sub = command("describe", "what is in a recording and what is wrong with it", [this] { return cli::describe(describe); });
+    add_common(sub, describe.common);
+    add_data(sub, describe.data, "DATA", "recording: a file, - for standard input, or demo");
+  }
+
+  void add_convert() {
+    auto& sub = command("convert", "write a recording as CSV, cleaned and with its units", [this] { return cli::convert(convert); });
+    add_common(sub, convert.common);
+    add_data(sub, convert.data, "DATA", "recording: a file, - for standard input, or demo");
+    sub.add_option("-o,--out", convert.out, "file to write; - for standard output")->required();
+    sub.add_option("--smooth", convert.smoothing, "Gaussian smoothing, standard deviation in frames")->check(CLI::NonNegativeNumber);
+  }
+
+  void add_simulate() {
+    auto& a = simulate;
+    auto& sub = command("simulate", "trajectories from a model", [this] { return cli::simulate(simulate); });
+    add_common(sub, a.common);
+    sub.add_option("MODEL", a.model, "model with settings: bswarm, 'bswarm[noise=white]'; see swarmfit models")->required();
+    sub.add_option("-o,--out", a.out, "CSV file to write; - for standard output")->required();
+    sub.add_option("--set", a.set, "parameter=value, in simulation units")->take_all();
+    sub.add_option("--agents", a.agents, "number of agents")->check(CLI::Range(1, 10000000))->capture_default_str();
+    sub.add_option("--frames", a.frames, "frames to write")->check(CLI::PositiveNumber)->capture_default_str();
+    sub.add_option("--warm-up", a.warm_up, "frames to simulate before the first one written")->check(CLI::NonNegativeNumber);
+    sub.add_option("--fps", a.fps, "frames per second")->check(CLI::PositiveNumber)->capture_default_str();
+    sub.add_option("--dims", a.dims, "2 or 3")->check(CLI::IsMember({2, 3}))->capture_default_str();
+    sub.add_option("--box", a.box, "side of the reflecting box about the origin; 0 for open space")->check(CLI::NonNegativeNumber)->capture_default_str();
+    sub.add_option("--start-radius", a.start_radius, "agents start inside this radius; a quarter of the box if not given")->check(CLI::NonNegativeNumber);
+    sub.add_option("--start-speed", a.start_speed, "speed at the start")->check(CLI::NonNegativeNumber)->capture_default_str();
+    sub.add_option("--obs-noise", a.noise, "localisation error to add to positions")->check(CLI::NonNegativeNumber);
+    sub.add_option("--dropout", a.dropout, "probability per agent and frame that it is lost for up to five frames")->check(CLI::Range(0.0, 1.0));
+    sub.add_option("--unit", a.unit, "name of the length unit")->capture_default_str();
+  }
+
+  void add_evaluate() {
+    auto& a = evaluate;
+    auto& sub = command("evaluate", "seven energies and the order parameters of two recordings", [this] { return cli::evaluate(evaluate); });
+    add_common(sub, a.common);
+    add_data(sub, a.real, "REAL", "the recording");
+    sub.add_option("SIM", a.simulated, "what is compared with it; read with the same options")->required();
+    sub.add_option("--sim-columns", a.simulated_columns, "columns of SIM, where they differ");
+    sub.add_option("--normalisation", a.normalisation, "reference, separate or none")
+        ->check(CLI::IsMember({"reference", "separate", "none"}))->capture_default_str();
+    sub.add_option("--velocity", a.velocity, "difference or recorded")->check(CLI::IsMember({"difference", "recorded"}))->capture_default_str();
+    sub.add_option("--bins", a.bins, "histogram bins, instead of the normalisation's default")->check(CLI::NonNegativeNumber);
+  }
+
+  void add_weigh() {
+    auto& sub = command("weigh", "entropy weights and scores of an energy table", [this] { return cli::weigh(weigh); });
+    add_common(sub, weigh.common);
+    sub.add_option("TABLE", weigh.table, "CSV: a header of metric names, then one row per model, its name first")->required();
+  }
+
+  void add_fits() {
+    auto& one = command("fit", "best parameters of one model", [this] { return cli::fit(fit); });
+    add_fit(one, fit);
+    auto& many = command("compare", "fit several models and rank them", [this] { return cli::compare(compare); });
+    add_fit(many, compare);
+    many.add_option("--preset", compare.preset, "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: one of each model")
+        ->check(CLI::IsMember({"noise", "ablation", "models"}));
+  }
+
+  void add_lists() {
+    auto& all_models = command("models", "the models, their settings and parameters", [this] { return cli::list_models(list); });
+    add_common(all_models, list);
+    auto& all_formats = command("formats", "the file formats that can be read", [this] { return cli::list_formats(list); });
+    add_common(all_formats, list);
+  }
+};
+
+int run(int argc, char** argv) {
+  Program program;
+  try {
+    program.app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int code = program.app.exit(e);
+    return code == 0 ? 0 : 2;
+  }
+  install_interrupt_handler();
+  try {
+    return program.chosen();
+  } catch (const InputError& e) {
+    std::fprintf(stderr, "swarmfit: %s\n", e.what());
+    return 2;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "swarmfit: %s\n", e.what());
+    return 1;
+  }
+}
+
+}  // namespace
+}  // namespace swarmfit::cli
+
+int main(int argc, char** argv) { return swarmfit::cli::run(argc, argv); }

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "cli/settings.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <omp.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+
+#include "fit/plant.h"
+#include "libtrack/error.h"
+#include "libtrack/read.h"
+
+namespace swarmfit::cli {
+namespace {
+
+double number(std::string_view flag, std::string_view text, std::string_view whole) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    throw InputError(fmt::format("{} {}: '{}' is not a number", flag, whole, text));
+  return value;
+}
+
+// "name=rest" into its two parts.
+std::pair<std::string, std::string> assignment(std::string_view flag, const std::string& text, std::string_view expected) {
+  // The name may hold settings of a model in brackets, which have an equals sign of their own.
+  const auto bracket = text.rfind(']');
+  const auto equals = text.find('=', bracket == std::string::npos ? 0 : bracket);
+  if (equals == std::string::npos || equals == 0) throw InputError(fmt::format("{} {}: expected {}", flag, text, expected));
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+char delimiter(const std::string& text) {
+  if (text == "\\t" || text == "tab") return '\t';
+  if (text == "space") return ' ';
+  if (text.size() != 1) throw InputError(fmt::format("--delimiter {}: expected one character, tab or space", text));
+  return text[0];
+}
+
+ReadOptions read_options(const DataArguments& a) {
+  ReadOptions o;
+  o.columns = a.columns;
+  if (!a.delimiter.empty()) o.delimiter = delimiter(a.delimiter);
+  if (a.fps > 0) o.fps = a.fps;
+  o.unit = a.unit;
+  o.variable = a.variable;
+  o.format = a.format;
+  if (!a.frames.empty()) o.frames = parse_interval("--frames", a.frames);
+  if (!a.times.empty()) o.times = parse_interval("--times", a.times);
+  o.fill_gaps = a.fill_gaps;
+  return o;
+}
+
+std::vector<std::string> split_outside_brackets(const std::string& text) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  for (const char c : text) {
+    depth += (c == '[') - (c == ']');
+    if (c == ',' && depth == 0)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+ConditionOptions condition_options(const FitArguments& a) {
+  ConditionOptions o;
+  o.presence = a.presence == "constant" ? ConditionOptions::Presence::constant : ConditionOptions::Presence::recorded;
+  o.arena = a.arena;
+  o.smoothing = a.smoothing;
+  o.velocity = a.velocity == "recorded" ? VelocitySource::recorded : VelocitySource::difference;
+  if (a.observation_error != "estimate") {
+    o.sigma = number("--obs-noise", a.observation_error, a.observation_error);
+    if (o.sigma < 0) throw InputError(fmt::format("--obs-noise {}: expected estimate or a length of at least 0", a.observation_error));
+    o.error = o.sigma > 0 ? ConditionOptions::Error::given : ConditionOptions::Error::none;
+  }
+  return o;
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string quoted(const std::vector<std::string>& texts) {
+  std::vector<std::string> parts;
+  for (const auto& text : texts) parts.push_back(quoted(text));
+  return fmt::format("[{}]", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+Tracks load(const DataArguments& data) {
+  const ReadOptions options = read_options(data);
+  if (data.path == "demo") return demo_recording();
+  if (data.path != "-") return read_tracks(data.path, options);
+  return read_tracks_bytes("standard input", {std::istreambuf_iterator<char>(std::cin), {}}, options);
+}
+
+std::vector<ModelChoice> parse_models(const std::vector<std::string>& texts) {
+  std::vector<ModelChoice> choices;
+  for (const auto& text : texts) {
+    for (const auto& part : split_outside_brackets(text)) {
+      choices.push_back(parse_model(part));
+      for (std::size_t k = 0; k + 1 < choices.size(); ++k)
+        if (choices[k].name == choices.back().name)
+          throw InputError(fmt::format("--model {}: {} is named twice; expected different models", text, choices.back().name));
+    }
+  }
+  return choices;
+}
+
+std::vector<ModelChoice> preset_models(const std::string& preset) {
+  if (preset == "noise") return parse_models({"bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian]", "bswarm[noise=white]"});
+  if (preset == "ablation") return parse_models({"bswarm", "bswarm[noise=none]", "bswarm[interaction=off]"});
+  std::vector<ModelChoice> all;
+  for (const auto& spec : models()) all.push_back(parse_model(spec.name));
+  return all;
+}
+
+std::map<std::string, double> parse_assignments(const std::vector<std::string>& texts) {
+  std::map<std::string, double> out;
+  for (const auto& text : texts) {
+    const auto [name, value] = assignment("--set", text, "parameter=value");
+    out[name] = number("--set", value, text);
+  }
+  return out;
+}
+
+Binning binning(const std::string& normalisation, int bins) {
+  Binning b = Binning::standard(normalisation == "separate" ? Normalisation::separate
+                                : normalisation == "none"   ? Normalisation::none
+                                                            : Normalisation::reference);
+  if (bins > 0) b.bins = bins;
+  return b;
+}
+
+CompareOptions compare_options(const FitArguments& a) {
+  CompareOptions o;
+  if (!a.preset.empty() && !a.models.empty()) throw InputError("--preset and --model: expected one of them, not both");
+  o.models = a.preset.empty() ? parse_models(a.models) : preset_models(a.preset);
+  o.requests.set = parse_assignments(a.set);
+  for (const auto& name : a.fix) o.requests.fix[name] = true;
+  for (const auto& text : a.bounds) {
+    const auto [name, range] = assignment("--bounds", text, "parameter=lower:upper");
+    const auto colon = range.find(':');
+    if (colon == std::string::npos) throw InputError(fmt::format("--bounds {}: expected parameter=lower:upper", text));
+    o.requests.bounds[name] = {number("--bounds", std::string_view(range).substr(0, colon), text),
+                               number("--bounds", std::string_view(range).substr(colon + 1), text)};
+  }
+  o.conditions = condition_options(a);
+  o.binning = binning(a.normalisation, a.bins);
+  o.budget = budget_named(a.budget);
+  if (a.replicates > 0) o.budget.replicates = a.replicates;
+  o.seed = a.common.seed;
+  o.max_evaluations = a.max_evaluations;
+  o.error_limit = a.error_limit;
+  return o;
+}
+
+std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a, const std::vector<ModelChoice>& models) {
+  std::vector<std::string> names;
+  for (const auto& model : models) names.push_back(model.name);
+  std::vector<std::pair<std::string, std::string>> out{{"DATA", quoted(a.data.path)}, {"model", quoted(names)}};
+  const auto text = [&](const char* flag, const std::string& value) {
+    if (!value.empty()) out.emplace_back(flag, quoted(value));
+  };
+  const auto list = [&](const char* flag, const std::vector<std::string>& values) {
+    if (!values.empty()) out.emplace_back(flag, quoted(values));
+  };
+  const auto positive = [&](const char* flag, auto value) {
+    if (value > 0) out.emplace_back(flag, fmt::format("{}", value));
+  };
+  text("columns", a.data.columns);
+  text("delimiter", a.data.delimiter);
+  positive("fps", a.data.fps);
+  text("unit", a.data.unit);
+  text("var", a.data.variable);
+  text("format", a.data.format);
+  text("frames", a.data.frames);
+  text("times", a.data.times);
+  positive("fill-gaps", a.data.fill_gaps);
+  out.emplace_back("seed", std::to_string(a.common.seed));
+  text("budget", a.budget);
+  positive("max-evaluations", a.max_evaluations);
+  positive("replicates", a.replicates);
+  list("set", a.set);
+  list("fix", a.fix);
+  list("bounds", a.bounds);
+  text("presence", a.presence);
+  text("arena", a.arena);
+  text("obs-noise", a.observation_error);
+  out.emplace_back("error-limit", fmt::format("{}", a.error_limit));
+  positive("smooth", a.smoothing);
+  text("velocity", a.velocity);
+  text("normalisation", a.normalisation);
+  positive("bins", a.bins);
+  return out;
+}
+
+void use_threads(const Common& common) {
+  if (common.threads > 0) omp_set_num_threads(common.threads);
+}
+
+}  // namespace swarmfit::cli

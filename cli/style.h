@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "reports/text_table.h"
+
+namespace swarmfit::cli {
+
+// Colour only on a terminal and without NO_COLOR; signs beyond ASCII where the locale says UTF-8.
+TextStyle style();
+
+}  // namespace swarmfit::cli

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The search of one model within a comparison: everything it has simulated, and how that is searched further.
+#pragma once
+
+#include "fit/compare.h"
+#include "fit/objective.h"
+
+namespace swarmfit {
+
+// The best parameters of a model under the present weights, judged on fresh seeds.
+struct Selected {
+  Point x;
+  Outcome outcome;
+};
+
+class ModelSearch {
+ public:
+  // All references must outlive the search. `index` is the model's place in the comparison.
+  ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target, const CompareOptions& options,
+              std::vector<HistoryRow>& history);
+
+  // One calibration pass: rescores the archive, searches, refines, and selects among the leaders on fresh seeds.
+  void pass(int number, const Weighting& weighting, const OnGeneration& on_generation);
+
+  const Selected& selected() const { return selected_; }
+  const SearchSpace& space() const { return space_; }
+  const Objective& objective() const { return objective_; }
+  std::int64_t evaluations() const { return static_cast<std::int64_t>(archive_.size()); }
+  std::int64_t simulations() const { return simulations_; }
+  std::int64_t failed() const { return failed_; }
+  const std::string& stop_reason() const { return stop_reason_; }
+  const std::vector<ConvergencePoint>& convergence() const { return convergence_; }
+  std::span<const Rng> final_seeds() const { return final_seeds_; }
+
+ private:
+  struct Archived {
+    Point x;
+    Energies raw;
+  };
+  std::vector<Evaluated> rescored(const Weighting& weighting, std::size_t most, double apart) const;
+  std::vector<double> costs(const std::vector<Point>& points, const Weighting& weighting, int pass, const char* phase);
+  void record(const Point& x, const Outcome& outcome, int pass, const char* phase);
+  void search(int number, const Weighting& weighting, const OnGeneration& on_generation);
+  void polish(int number, const Weighting& weighting);
+  void select(int number, const Weighting& weighting);
+  std::int64_t left() const;  // evaluations that max_evaluations still allows
+
+  std::size_t index_;
+  const CompareOptions& options_;
+  SearchSpace space_;
+  Objective objective_;
+  std::vector<HistoryRow>& history_;
+  Rng rng_;
+  std::vector<Rng> seeds_, final_seeds_;
+  std::vector<Archived> archive_;
+  Selected selected_;
+  std::int64_t simulations_ = 0, failed_ = 0;
+  std::string stop_reason_;
+  std::vector<ConvergencePoint> convergence_;
+};
+
+// Cost of raw energies under a weighting: minus the score; +inf if it is undefined.
+double cost_of(const Energies& raw, const Weighting& weighting);
+
+}  // namespace swarmfit

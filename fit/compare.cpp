@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "fit/compare.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/calibration.h"
+#include "fit/facts.h"
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+const std::array<Budget, 3> kBudgets{{
+    // name     population generations replicates refinements each final passes
+    {"quick", 24, 16, 2, 2, 40, 6, 3},
+    {"default", 40, 60, 3, 2, 100, 10, 6},
+    {"thorough", 80, 120, 5, 4, 250, 20, 10},
+}};
+
+Eigen::MatrixXd energy_table(const std::vector<ModelSearch>& searches) {
+  Eigen::MatrixXd table(static_cast<Index>(searches.size()), static_cast<Index>(kMetrics));
+  for (std::size_t m = 0; m < searches.size(); ++m)
+    table.row(static_cast<Index>(m)) =
+        Eigen::Map<const Eigen::RowVectorXd>(searches[m].selected().outcome.raw.data(), static_cast<Index>(kMetrics));
+  return table;
+}
+
+PerMetric<double> per_metric(const std::vector<double>& values) {
+  PerMetric<double> out;
+  std::copy(values.begin(), values.end(), out.begin());
+  return out;
+}
+
+// Step 3 and 4 of Par-Est: weights and p1, p2 from the energy table; how far did the weights move?
+WeightStep weight_step(int pass, const Weighting& now, const Weighting& before) {
+  double change = 0;
+  for (std::size_t j = 0; j < kMetrics; ++j) change = std::max(change, std::abs(now.weights[j] - before.weights[j]));
+  return {pass, per_metric(now.weights), per_metric(now.p1), per_metric(now.p2), change};
+}
+
+double standard_error(const std::vector<double>& values) {
+  Moments moments;
+  for (const double v : values) moments.add(v);
+  const auto n = static_cast<double>(moments.count);
+  return n > 1 ? std::sqrt(moments.m2 / (n - 1) / n) : NAN;
+}
+
+// The comparison in progress: one search per model, and the weights they are judged by.
+class Calibration {
+ public:
+  Calibration(const CompareOptions& options, const Conditions& conditions, const Target& target, const std::vector<bool>& used,
+              std::vector<HistoryRow>& history, const OnCompareProgress& on_progress)
+      : options_(options), target_(target), used_(used), on_progress_(on_progress) {
+    for (std::size_t m = 0; m < options.models.size(); ++m)
+      searches_.emplace_back(m, options.models[m], conditions, target, options, history);
+  }
+
+  // Par-Est, steps 1 to 5.
+  void run(Comparison& result) {
+    weighting_ = initial_weighting(used_, target_.worst());
+    const int passes = searches_.size() < 2 ? 1 : options_.budget.passes;
+    for (int pass = 1; pass <= passes; ++pass) {
+      for (std::size_t m = 0; m < searches_.size(); ++m)
+        searches_[m].pass(pass, weighting_, [&](const GenerationReport& report) { return tell(m, pass, passes, report); });
+      if (searches_.size() < 2) break;
+      const Weighting next = entropy_weights(energy_table(searches_), used_);
+      result.weight_history.push_back(weight_step(pass, next, weighting_));
+      weighting_ = next;
+      if (result.weight_history.back().largest_change < options_.weight_tolerance) {
+        result.weights_converged = true;
+        break;
+      }
+    }
+  }
+
+  const std::vector<ModelSearch>& searches() const { return searches_; }
+  const Weighting& weighting() const { return weighting_; }
+
+ private:
+  bool tell(std::size_t m, int pass, int passes, const GenerationReport& report) const {
+    return !on_progress_ || on_progress_({options_.models[m].name, m, searches_.size(), pass, passes, report.generation,
+                                          options_.budget.generations, report.evaluations, -report.best});
+  }
+
+  const CompareOptions& options_;
+  const Target& target_;
+  const std::vector<bool>& used_;
+  const OnCompareProgress& on_progress_;
+  std::vector<ModelSearch> searches_;
+  Weighting weighting_;
+};
+
+void fill_energies(FitResult& fit, const ModelSearch& search, const Weighting& weighting) {
+  const Outcome& outcome = search.selected().outcome;
+  fit.score = -cost_of(outcome.raw, weighting);
+  fit.raw_energies = outcome.raw;
+  fit.replicate_energies = outcome.replicates;
+  std::vector<double> scores;
+  for (const auto& replicate : outcome.replicates) scores.push_back(-cost_of(replicate, weighting));
+  fit.score_se = standard_error(scores);
+  for (std::size_t j = 0; j < kMetrics; ++j) {
+    fit.energies[j] = weighting.p2[j] > 0 ? (outcome.raw[j] - weighting.p1[j]) / weighting.p2[j] : 0;
+    std::vector<double> column;
+    for (const auto& replicate : outcome.replicates) column.push_back(replicate[j]);
+    fit.raw_se[j] = standard_error(column);
+  }
+  fit.distributions = outcome.distributions;
+}
+
+void fill_ratios(FitResult& fit, const Target& target) {
+  for (std::size_t j = 0; j < kMetrics; ++j) {
+    const auto& real = target.recording()[j];
+    const auto& sim = fit.distributions[j];
+    fit.mean_ratio[j] = sim.moments.mean / real.moments.mean;
+    fit.sd_ratio[j] = sim.moments.sd() / real.moments.sd();
+    fit.outside_fraction[j] =
+        sim.histogram.samples ? static_cast<double>(sim.histogram.outside) / static_cast<double>(sim.histogram.samples) : NAN;
+  }
+}
+
+FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const Conditions& conditions, const Target& target,
+                     const Weighting& weighting) {
+  FitResult fit;
+  fit.model = model.name;
+  fit.summary = model.spec->summary;
+  fit.citation = model.spec->citation;
+  fit.options = {model.options.begin(), model.options.end()};
+  const auto& best = search.selected();
+  fit.parameters = search.space().describe(best.x, conditions.recording.meta().unit);
+  fill_energies(fit, search, weighting);
+  fill_ratios(fit, target);
+  const auto values = search.space().parameters(best.x);
+  fit.half_step_energies = search.objective().evaluate(values, search.final_seeds(), 2).raw;
+  const Scales seen = natural_scales(search.objective().simulate(values, search.final_seeds().front()));
+  fit.extent = seen.extent;
+  fit.spacing = seen.spacing;
+  fit.speed = seen.speed;
+  fit.evaluations = search.evaluations();
+  fit.simulations = search.simulations();
+  fit.failed_simulations = search.failed();
+  fit.failed_final = static_cast<double>(best.outcome.failed) / static_cast<double>(best.outcome.replicates.size());
+  fit.stop_reason = search.stop_reason();
+  fit.substeps = search.objective().substeps();
+  const auto& count = best.outcome.count;
+  fit.infeasible_avoidance =
+      count.agent_steps ? static_cast<double>(count.infeasible_avoidance) / static_cast<double>(count.agent_steps) : 0;
+  fit.convergence = search.convergence();
+  return fit;
+}
+
+void rank(std::vector<FitResult>& models) {
+  std::stable_sort(models.begin(), models.end(), [](const FitResult& a, const FitResult& b) { return a.score > b.score; });
+  for (std::size_t k = 0; k < models.size(); ++k) models[k].rank = std::isfinite(models[k].score) ? static_cast<int>(k) + 1 : 0;
+}
+
+}  // namespace
+
+std::span<const Budget> budgets() { return kBudgets; }
+
+Budget budget_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& b : kBudgets) {
+    if (b.name == name) return b;
+    names.push_back(b.name);
+  }
+  throw InputError(fmt::format("--budget {}: no such budget; expected one of {}", name, fmt::join(names, ", ")));
+}
+
+Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress) {
+  check_requests(options.requests, options.models);
+  const Conditions conditions = make_conditions(recording, options.conditions);
+  const Target target(metric_samples(conditions.recording, {options.conditions.velocity}), options.binning);
+
+  Comparison result;
+  result.observation = observation_facts(conditions, target, options);
+  const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
+  Calibration calibration(options, conditions, target, used, result.history, on_progress);
+  calibration.run(result);
+
+  for (std::size_t m = 0; m < options.models.size(); ++m) {
+    const auto& search = calibration.searches()[m];
+    result.models.push_back(fit_result(search, options.models[m], conditions, target, calibration.weighting()));
+    result.named.push_back(options.models[m].name);
+    result.searched.emplace_back();
+    for (const auto p : search.space().searched()) result.searched.back().emplace_back(options.models[m].spec->parameters[p].name);
+  }
+  rank(result.models);
+  result.weights = per_metric(calibration.weighting().weights);
+  result.p1 = per_metric(calibration.weighting().p1);
+  result.p2 = per_metric(calibration.weighting().p2);
+  fill_facts(result, recording, conditions, target, options);
+  result.warnings = warnings_for(result);
+  return result;
+}
+
+}  // namespace swarmfit

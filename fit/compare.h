@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The main job: fit every model to a recording and rank them (Ren et al. 2016, algorithm Par-Est).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fit/conditions.h"
+#include "fit/genetic.h"
+#include "fit/results.h"
+#include "fit/search_space.h"
+
+namespace swarmfit {
+
+// How much searching is done per model and calibration pass.
+struct Budget {
+  std::string name;
+  int population, generations, replicates;  // candidates per generation, generations, simulations per candidate
+  int refinements;                          // candidates refined by Nelder-Mead at the end of a pass
+  int refine_evaluations;                   // each
+  int final_replicates;                     // fresh seeds of the final selection
+  int passes;                               // of the calibration loop, at most
+};
+// "quick", "default" or "thorough"; throws InputError naming them.
+Budget budget_named(const std::string& name);
+std::span<const Budget> budgets();
+
+struct CompareOptions {
+  std::vector<ModelChoice> models;   // at least one; one model is fitted with equal weights and no calibration
+  ParameterRequests requests;
+  ConditionOptions conditions;
+  Binning binning;
+  Budget budget = budget_named("default");
+  std::uint64_t seed = 1;
+  std::int64_t max_evaluations = 0;  // per model, over all passes; 0: none
+  double error_limit = 0.5;          // a metric with a larger share of localisation error in its variance is left out of the score
+  double weight_tolerance = 0.005;   // the calibration has settled when no weight changes by more
+};
+
+struct CompareProgress {
+  std::string model;
+  std::size_t index, models;     // index from 0
+  int pass, passes;
+  int generation, generations;
+  std::int64_t evaluations;      // of this model, all passes
+  double best;                   // score with the pass's weights
+};
+// Called after every generation; returning false interrupts.
+using OnCompareProgress = std::function<bool(const CompareProgress&)>;
+
+// Interrupted: thrown when on_progress returns false.
+struct Interrupted {};
+
+Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress = {});
+
+}  // namespace swarmfit

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "fit/conditions.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "libeval/order.h"
+#include "libtrack/error.h"
+#include "libtrack/kinematics.h"
+
+namespace swarmfit {
+namespace {
+
+// Frames used for the velocity with which an agent enters: one difference carries sqrt(2) localisation errors, the slope over five
+// frames a third of one.
+constexpr std::size_t kEntryFrames = 5;
+
+// Least-squares slope of position against time over the first frames of an unbroken run of rows.
+Eigen::Array3d entry_velocity(const Tracks& tracks, std::span<const Index> run) {
+  const auto n = std::min(run.size(), kEntryFrames);
+  const double centre = 0.5 * static_cast<double>(n - 1);
+  Eigen::Array3d slope = Eigen::Array3d::Zero();
+  double norm = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double t = static_cast<double>(k) - centre;
+    slope += t * tracks.pos().row(run[k]).transpose();
+    norm += t * t;
+  }
+  return norm > 0 ? Eigen::Array3d(slope / (norm * tracks.dt())) : Eigen::Array3d::Zero();
+}
+
+// The unbroken run of rows that starts at rows[k].
+std::span<const Index> run_from(const Tracks& tracks, std::span<const Index> rows, std::size_t k) {
+  std::size_t end = k + 1;
+  while (end < rows.size() && tracks.next()[static_cast<std::size_t>(rows[end - 1])] == rows[end]) ++end;
+  return rows.subspan(k, end - k);
+}
+
+// One visit per track and episode; gaps are kept inside a visit, where the agent lives on unseen.
+std::vector<Presence::Visit> recorded_visits(const Tracks& tracks) {
+  std::vector<Presence::Visit> visits;
+  const auto frame = tracks.frame();
+  const auto episode_of = [&](std::int64_t f) {
+    const auto e = tracks.episodes();
+    return std::upper_bound(e.begin(), e.end(), f) - e.begin();
+  };
+  for (std::uint32_t t = 0; t < tracks.track_count(); ++t) {
+    const auto rows = tracks.rows_of(t);
+    for (std::size_t k = 0; k < rows.size();) {
+      const auto frame_of = [&](std::size_t i) { return frame[static_cast<std::size_t>(rows[i])]; };
+      std::size_t end = k + 1;
+      while (end < rows.size() && episode_of(frame_of(end)) == episode_of(frame_of(k))) ++end;
+      const Index first = rows[k];
+      const Eigen::Array3d recorded =
+          tracks.has_velocity() ? Eigen::Array3d(tracks.vel().row(first).transpose()) : Eigen::Array3d::Constant(NAN);
+      visits.push_back({t, tracks.kind(first), frame_of(k), frame_of(end - 1), tracks.pos().row(first).transpose(),
+                        recorded.isFinite().all() ? recorded : entry_velocity(tracks, run_from(tracks, rows, k))});
+      k = end;
+    }
+  }
+  return visits;
+}
+
+// Everybody of the first frame, for the whole length of the recording.
+std::vector<Presence::Visit> constant_visits(const Tracks& tracks) {
+  auto visits = recorded_visits(tracks);
+  const auto first = tracks.frames().front().number;
+  std::erase_if(visits, [&](const Presence::Visit& v) { return v.enter != first; });
+  for (auto& v : visits) v.leave = tracks.frames().back().number;
+  return visits;
+}
+
+double parse_number(std::string_view text, const std::string& whole) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    throw InputError(fmt::format("--arena {}: '{}' is not a number; expected open, box, sphere or x0:x1,y0:y1[,z0:z1]", whole, text));
+  return value;
+}
+
+Bounds box_from_text(const std::string& text, int dims) {
+  Bounds bounds;
+  bounds.kind = Bounds::Kind::box;
+  std::string_view rest = text;
+  for (int axis = 0; axis < dims; ++axis) {
+    const auto comma = rest.find(',');
+    const auto range = rest.substr(0, comma);
+    const auto colon = range.find(':');
+    if (colon == std::string_view::npos || (comma == std::string_view::npos) != (axis == dims - 1))
+      throw InputError(fmt::format("--arena {}: not an arena; expected open, box, sphere or {} for this recording", text,
+                                   dims == 3 ? "x0:x1,y0:y1,z0:z1" : "x0:x1,y0:y1"));
+    bounds.lower[axis] = parse_number(range.substr(0, colon), text);
+    bounds.upper[axis] = parse_number(range.substr(colon + 1), text);
+    if (!(bounds.lower[axis] < bounds.upper[axis]))
+      throw InputError(fmt::format("--arena {}: {} is empty; expected lower:upper with lower < upper", text, range));
+    rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
+  }
+  return bounds;
+}
+
+void require_inside(const Bounds& bounds, const Tracks& recording, const std::string& text) {
+  for (int axis = 0; axis < recording.dims(); ++axis) {
+    const auto column = recording.pos().col(axis);
+    if (column.minCoeff() < bounds.lower[axis] || column.maxCoeff() > bounds.upper[axis])
+      throw InputError(fmt::format("--arena {}: recorded positions reach {:.6g}:{:.6g} along {}; expected an arena that contains them", text,
+                                   column.minCoeff(), column.maxCoeff(), "xyz"[axis]));
+  }
+}
+
+}  // namespace
+
+Scales natural_scales(const Tracks& recording) {
+  const auto velocity = forward_velocity(recording);
+  double speed = 0;
+  std::size_t moving = 0;
+  for (Index i = 0; i < velocity.rows(); ++i) {
+    const double v = std::sqrt(velocity.row(i).square().sum());
+    if (std::isfinite(v)) speed += v, ++moving;
+  }
+  const auto nearest = nearest_neighbours(recording);
+  double spacing = 0;
+  std::size_t paired = 0;
+  for (const double d : nearest.distance)
+    if (std::isfinite(d)) spacing += d, ++paired;
+  const auto order = order_parameters(recording);
+  double square = 0, weight = 0;
+  const auto frames = recording.frames();
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    if (frames[f].count < 2 || !std::isfinite(order.extent[f])) continue;
+    square += static_cast<double>(frames[f].count) * order.extent[f] * order.extent[f];
+    weight += static_cast<double>(frames[f].count);
+  }
+  return {weight > 0 ? std::sqrt(square / weight) : 0, paired ? spacing / static_cast<double>(paired) : 0,
+          moving ? speed / static_cast<double>(moving) : 0};
+}
+
+Bounds parse_arena(const std::string& text, const Tracks& recording) {
+  Bounds bounds;
+  if (text == "open") return bounds;
+  if (text == "box") {
+    bounds.kind = Bounds::Kind::box;
+    bounds.lower = recording.pos().colwise().minCoeff().transpose();
+    bounds.upper = recording.pos().colwise().maxCoeff().transpose();
+  } else if (text == "sphere") {
+    bounds.kind = Bounds::Kind::sphere;
+    bounds.centre = recording.pos().colwise().mean().transpose();
+    bounds.radius = std::sqrt((recording.pos().rowwise() - bounds.centre.transpose()).square().rowwise().sum().maxCoeff());
+  } else {
+    bounds = box_from_text(text, recording.dims());
+    require_inside(bounds, recording, text);
+  }
+  return bounds;
+}
+
+Conditions make_conditions(const Tracks& recording, const ConditionOptions& options) {
+  Conditions c;
+  c.options = options;
+  c.localisation = estimate_localisation(recording);
+  c.recording = options.smoothing > 0 ? smooth(recording, options.smoothing) : recording;
+  c.scales = natural_scales(recording);
+  const std::string& path = recording.meta().from.path;
+  if (!(c.scales.speed > 0)) throw InputError(path + ": nothing moves; expected tracks of at least two consecutive frames with motion");
+  if (!(c.scales.spacing > 0) || !(c.scales.extent > 0))
+    throw InputError(path + ": no frame shows two individuals apart; expected a group, since neighbour distances scale the fit");
+  if (options.error == ConditionOptions::Error::estimate) c.sigma = c.localisation.sigma;
+  if (options.error == ConditionOptions::Error::given) c.sigma = Eigen::Array3d::Constant(options.sigma);
+  if (recording.dims() == 2) c.sigma[2] = 0;
+  c.world.dims = recording.dims();
+  c.world.bounds = parse_arena(options.arena, recording);
+  c.world.add(std::make_unique<Presence>(options.presence == ConditionOptions::Presence::recorded ? recorded_visits(recording)
+                                                                                                  : constant_visits(recording)));
+  c.first_frame = recording.frames().front().number;
+  c.frames = recording.frames().back().number - c.first_frame + 1;
+  return c;
+}
+
+}  // namespace swarmfit

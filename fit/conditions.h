@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The recording's own conditions, under which every candidate is simulated: who was there when, where, and how well the camera saw it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "libeval/localisation.h"
+#include "libeval/metrics.h"
+#include "libswarm/model.h"
+#include "libswarm/world.h"
+
+namespace swarmfit {
+
+struct ConditionOptions {
+  enum class Presence { recorded, constant };
+  enum class Error { estimate, given, none };
+
+  Presence presence = Presence::recorded;
+  std::string arena = "open";  // open | box | sphere | x0:x1,y0:y1[,z0:z1]
+  Error error = Error::estimate;
+  double sigma = 0;            // localisation error of every axis, for Error::given [unit]
+  double smoothing = 0;        // Gaussian smoothing of both sides, standard deviation in frames
+  VelocitySource velocity = VelocitySource::difference;
+};
+
+// Immutable and shared by all simulations of a fit.
+struct Conditions {
+  ConditionOptions options;
+  Tracks recording;           // as compared: smoothed if asked for
+  Scales scales;              // L, NND, V of the recording
+  World world;                // arena and presence
+  Localisation localisation;  // as estimated, whatever is used
+  Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error put on simulated positions, per axis [unit]
+  std::int64_t first_frame = 0, frames = 0;
+};
+
+// Throws InputError where the recording cannot carry a fit: no motion, one individual only, an arena that excludes recorded positions.
+Conditions make_conditions(const Tracks& recording, const ConditionOptions& options);
+
+// L, NND and V of a recording; NND is 0 when no frame has two individuals.
+Scales natural_scales(const Tracks& recording);
+
+// Parses --arena; box and sphere are fitted round the recorded positions.
+Bounds parse_arena(const std::string& text, const Tracks& recording);
+
+}  // namespace swarmfit

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "fit/facts.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmfit {
+namespace {
+
+constexpr double kScaleOff = 2;           // a mean off by more than this factor is called wrong in scale
+constexpr double kInfeasible = 0.05;      // share of agent-steps without a collision-free velocity worth a warning
+constexpr double kFewIndividuals = 5;     // neighbour statistics of smaller groups say little
+constexpr double kStandardErrors = 2;
+
+std::string name_of(ConditionOptions::Error e) {
+  return e == ConditionOptions::Error::estimate ? "estimate" : e == ConditionOptions::Error::given ? "given" : "none";
+}
+
+template <class... Args>
+void warn(std::vector<std::string>& out, fmt::format_string<Args...> text, Args&&... args) {
+  out.push_back(fmt::format(text, std::forward<Args>(args)...));
+}
+
+void warn_of_data(const Comparison& r, std::vector<std::string>& out) {
+  for (std::size_t j = 0; j < kMetrics; ++j)
+    if (!r.observation.why_not[j].empty()) warn(out, "{} is shown but not scored: {}.", kMetricInfo[j].name, r.observation.why_not[j]);
+  if (r.data.individuals_per_frame < kFewIndividuals)
+    warn(out, "Only {:.1f} individuals per frame: neighbour distances of so small a group say little about interaction.", r.data.individuals_per_frame);
+  if (!r.observation.white && r.observation.error_source == "estimate")
+    warn(out, "The measurement error is not independent from frame to frame (the positions look smoothed), so its estimate is a guess; "
+              "give it with --obs-noise, or compare with --obs-noise 0.");
+}
+
+void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::string>& out) {
+  std::vector<std::string> bounds;
+  for (const auto& p : m.parameters)
+    if (p.at_bound) bounds.push_back(p.name);
+  if (!bounds.empty())
+    warn(out, "{}: {} ended on a bound, so its rank is conditional on the bounds; widen with --bounds.", m.model, fmt::join(bounds, ", "));
+  for (const std::size_t j : {kSpeed, kDistance})
+    if (const double ratio = m.mean_ratio[j]; std::isfinite(ratio) && (ratio > kScaleOff || ratio < 1 / kScaleOff))
+      warn(out, "{}: wrong in scale, its mean {} is {:.2g} times the recorded one, whatever its score.", m.model, kMetricInfo[j].name, ratio);
+  if (m.failed_final > 0) warn(out, "{}: {:.0f} % of the final simulations blew up and count with the worst energy.", m.model, 100 * m.failed_final);
+  if (m.infeasible_avoidance > kInfeasible)
+    warn(out, "{}: no collision-free velocity existed in {:.0f} % of all agent-steps.", m.model, 100 * m.infeasible_avoidance);
+  double before = 0, after = 0, se = 0;
+  for (std::size_t j = 0; j < kMetrics; ++j) {
+    if (!(r.weights[j] > 0)) continue;
+    before += m.raw_energies[j], after += m.half_step_energies[j], se += m.raw_se[j] * m.raw_se[j];
+  }
+  if (std::abs(after - before) > kStandardErrors * std::sqrt(2 * se))
+    warn(out, "{}: half the time step changes its total energy from {:.3g} to {:.3g}; the step is too long for it.", m.model, before, after);
+}
+
+}  // namespace
+
+ObservationFacts observation_facts(const Conditions& c, const Target& target, const CompareOptions& options) {
+  ObservationFacts facts;
+  facts.presence = c.options.presence == ConditionOptions::Presence::recorded ? "recorded" : "constant";
+  facts.arena = c.options.arena;
+  facts.error_source = name_of(c.options.error);
+  facts.sigma = c.sigma;
+  facts.white = c.localisation.white;
+  facts.smoothing = c.options.smoothing;
+  facts.velocity = c.options.velocity == VelocitySource::difference ? "difference" : "recorded";
+  facts.error_share = error_share(c.recording, c.sigma, options.seed);
+  for (std::size_t j = 0; j < kMetrics; ++j) {
+    const double share = facts.error_share[j];
+    if (!target.defined(j))
+      facts.why_not[j] = "it is constant or undefined in the recording";
+    else if (share > options.error_limit)
+      facts.why_not[j] = fmt::format("{:.0f} % of its variance is localisation error", 100 * share);
+    facts.used[j] = facts.why_not[j].empty();
+  }
+  // With every metric drowned in error there is nothing left to leave out: score what is defined, and the warnings say why it is weak.
+  if (std::none_of(facts.used.begin(), facts.used.end(), [](bool u) { return u; }))
+    for (std::size_t j = 0; j < kMetrics; ++j) facts.used[j] = target.defined(j);
+  return facts;
+}
+
+void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, const Target& target, const CompareOptions& options) {
+  const auto& meta = recording.meta();
+  r.command = options.models.size() > 1 ? "compare" : "fit";
+  r.seed = options.seed;
+  r.budget = options.budget.name;
+  r.protocol = "default";
+  r.population = options.budget.population;
+  r.generations = options.budget.generations;
+  r.replicates = options.budget.replicates;
+  r.final_replicates = options.budget.final_replicates;
+  DataFacts& d = r.data;
+  d.path = meta.from.path;
+  d.sha256 = meta.from.sha256;
+  d.format = meta.from.format;
+  d.columns = meta.from.columns;
+  d.unit = meta.unit;
+  d.synthetic = meta.from.synthetic;
+  d.dims = meta.dims;
+  d.dt = meta.dt;
+  d.rows = recording.rows();
+  d.frames = recording.frames().size();
+  for (std::uint32_t t = 0; t < recording.track_count(); ++t) d.tracks += !recording.rows_of(t).empty();
+  d.first_frame = recording.frames().front().number;
+  d.last_frame = recording.frames().back().number;
+  d.individuals_per_frame = static_cast<double>(d.rows) / static_cast<double>(d.frames);
+  d.extent = c.scales.extent;
+  d.spacing = c.scales.spacing;
+  d.speed = c.scales.speed;
+  d.notes = meta.from.notes;
+  r.binning = target.binning();
+  r.recording = target.recording();
+  for (std::size_t j = 0; j < kMetrics; ++j) {
+    r.defined[j] = target.defined(j);
+    r.axis_lower[j] = target.axis(j).lower;
+    r.axis_width[j] = target.axis(j).width;
+  }
+}
+
+std::vector<std::string> warnings_for(const Comparison& r) {
+  std::vector<std::string> out;
+  if (r.data.synthetic) warn(out, "This recording is synthetic: it was made by a simulator.");
+  warn_of_data(r, out);
+  if (r.models.size() == 2)
+    warn(out, "With two models the entropy weights only count which model is nearer in each metric; read the raw energies beside the score.");
+  if (r.models.size() > 1 && !r.weights_converged)
+    warn(out, "The weights had not settled after {} passes (last change {:.3f}); a larger --budget may move the scores.",
+         r.weight_history.size(), r.weight_history.back().largest_change);
+  if (r.models.size() > 1) {
+    const auto& first = r.models[0];
+    const auto& second = r.models[1];
+    const double se = std::hypot(first.score_se, second.score_se);
+    if (first.score - second.score < kStandardErrors * se)
+      warn(out, "{} and {} cannot be told apart: their scores differ by {:.3f}, less than two standard errors ({:.3f}) of the simulations.",
+           first.model, second.model, first.score - second.score, kStandardErrors * se);
+  }
+  for (const auto& model : r.models) warn_of_fit(model, r, out);
+  return out;
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What a comparison says of its data and its method, and what a reader must be warned of.
+#pragma once
+
+#include "fit/compare.h"
+
+namespace swarmfit {
+
+ObservationFacts observation_facts(const Conditions& conditions, const Target& target, const CompareOptions& options);
+
+// Data, settings and axes of the result.
+void fill_facts(Comparison& result, const Tracks& recording, const Conditions& conditions, const Target& target,
+                const CompareOptions& options);
+
+// One sentence each, in order of weight, from a finished result.
+std::vector<std::string> warnings_for(const Comparison& result);
+
+}  // namespace swarmfit

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "fit/objective.h"
+
+#include <cmath>
+
+#include "fit/observe.h"
+#include "libtrack/kinematics.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr double kEscapeSpeed = 1e3;  // in units of the recorded mean speed: nothing recorded moves like that
+
+void add(Counters& sum, const Counters& part) {
+  sum.agent_steps += part.agent_steps;
+  sum.infeasible_avoidance += part.infeasible_avoidance;
+  sum.halved_steps += part.halved_steps;
+}
+
+void append(MetricSamples& all, MetricSamples part) {
+  for (std::size_t m = 0; m < kMetrics; ++m) all.values[m].insert(all.values[m].end(), part.values[m].begin(), part.values[m].end());
+}
+
+}  // namespace
+
+// One replicate. Samples are kept only where pooling needs them: z-scores of a pooled set are not those of its parts.
+struct Objective::Trial {
+  PerMetric<Distribution> distributions{};
+  MetricSamples samples;
+  Energies raw{};
+  Counters count;
+  bool failed = false;
+};
+
+Objective::Objective(const ModelChoice& model, const Conditions& conditions, const Target& target)
+    : conditions_(conditions), target_(target) {
+  const Tracks& recording = conditions.recording;
+  model_ = model.spec->make({recording.dims(), model.options, conditions.scales, &recording});
+  plan_.frame_dt = recording.dt();
+  plan_.substeps = swarmfit::substeps(*model.spec, conditions.scales, recording.dt());
+  plan_.first_frame = conditions.first_frame;
+  plan_.frames = conditions.frames;
+  plan_.speed_limit = kEscapeSpeed * conditions.scales.speed;
+}
+
+Tracks Objective::simulate(const std::vector<double>& candidate, const Rng& seed, int finer, Counters& count, bool& blew_up) const {
+  const bool as_recorded = conditions_.options.presence == ConditionOptions::Presence::recorded;
+  const bool keep_velocity = conditions_.options.velocity == VelocitySource::recorded;
+  TrackCollector collector(conditions_.recording.names(), keep_velocity);
+  Observer camera(as_recorded ? &conditions_.recording : nullptr, conditions_.sigma, seed, collector);
+  Plan plan = plan_;
+  plan.substeps *= finer;
+  Lane lane{candidate, seed, State{}, conditions_.world, &camera, {}, false};
+  cpu_backend().run(*model_, plan, {&lane, 1});
+  count = lane.count;
+  blew_up = lane.blew_up;
+  TrackMeta meta = conditions_.recording.meta();
+  meta.from = {};
+  meta.from.synthetic = true;
+  Tracks seen = collector.take(meta);
+  return conditions_.options.smoothing > 0 ? smooth(seen, conditions_.options.smoothing) : seen;
+}
+
+Tracks Objective::simulate(const std::vector<double>& candidate, const Rng& seed, int finer) const {
+  Counters count;
+  bool blew_up = false;
+  return simulate(candidate, seed, finer, count, blew_up);
+}
+
+Objective::Trial Objective::run(const std::vector<double>& candidate, const Rng& seed, int finer) const {
+  Trial trial;
+  const Tracks seen = simulate(candidate, seed, finer, trial.count, trial.failed);
+  if (!trial.failed) {
+    trial.samples = metric_samples(seen, {conditions_.options.velocity});
+    trial.distributions = target_.distributions(trial.samples);
+    trial.raw = target_.energies(trial.distributions);
+    if (target_.binning().normalisation != Normalisation::separate) trial.samples = {};
+  }
+  for (std::size_t m = 0; m < kMetrics; ++m)
+    if (target_.defined(m) && (trial.failed || std::isnan(trial.raw[m]))) trial.raw[m] = target_.worst();
+  return trial;
+}
+
+Outcome Objective::pool(std::span<Trial> trials) const {
+  Outcome out;
+  MetricSamples samples;
+  for (Trial& trial : trials) {
+    out.replicates.push_back(trial.raw);
+    out.failed += trial.failed;
+    add(out.count, trial.count);
+    if (trial.failed) continue;
+    if (target_.binning().normalisation == Normalisation::separate) append(samples, std::move(trial.samples));
+    for (std::size_t m = 0; m < kMetrics; ++m) {
+      out.distributions[m].histogram.add(trial.distributions[m].histogram);
+      out.distributions[m].moments.add(trial.distributions[m].moments);
+    }
+  }
+  if (target_.binning().normalisation == Normalisation::separate) out.distributions = target_.distributions(samples);
+  const double failed = static_cast<double>(out.failed) / static_cast<double>(trials.size());
+  const Energies good = failed < 1 ? target_.energies(out.distributions) : Energies{};
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    const double energy = failed < 1 && std::isfinite(good[m]) ? good[m] : target_.worst();
+    out.raw[m] = target_.defined(m) ? (1 - failed) * energy + failed * target_.worst() : NAN;
+  }
+  return out;
+}
+
+std::vector<Outcome> Objective::evaluate(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, int finer) const {
+  const auto replicates = static_cast<std::int64_t>(seeds.size());
+  const auto runs = static_cast<std::int64_t>(candidates.size()) * replicates;
+  std::vector<Trial> trials(static_cast<std::size_t>(runs));
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::int64_t k = 0; k < runs; ++k)
+    trials[static_cast<std::size_t>(k)] =
+        run(candidates[static_cast<std::size_t>(k / replicates)], seeds[static_cast<std::size_t>(k % replicates)], finer);
+  std::vector<Outcome> out;
+  for (std::size_t c = 0; c < candidates.size(); ++c) out.push_back(pool(std::span(trials).subspan(c * seeds.size(), seeds.size())));
+  return out;
+}
+
+Outcome Objective::evaluate(const std::vector<double>& candidate, std::span<const Rng> seeds, int finer) const {
+  return evaluate(std::vector{candidate}, seeds, finer).front();
+}
+
+std::vector<Rng> replicate_seeds(const Rng& root, Stream stream, int replicates) {
+  std::vector<Rng> seeds;
+  for (int r = 0; r < replicates; ++r) seeds.push_back(root.derive(stream, static_cast<std::uint64_t>(r)));
+  return seeds;
+}
+
+}  // namespace swarmfit

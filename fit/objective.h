@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// From parameters to energies: simulate under the recording's conditions, observe, measure, compare.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fit/conditions.h"
+#include "libeval/energy.h"
+#include "libswarm/simulate.h"
+
+namespace swarmfit {
+
+// One candidate over all its replicates.
+struct Outcome {
+  Energies raw{};                              // pooled; a replicate that blew up counts with the worst energy; NaN: undefined in the recording
+  std::vector<Energies> replicates;            // of each replicate alone
+  PerMetric<Distribution> distributions{};     // pooled replicates
+  int failed = 0;                              // replicates that blew up
+  Counters count;                              // summed
+};
+
+// The objective of one model on one recording. Const and shared by threads; holds references, so all arguments must outlive it.
+class Objective {
+ public:
+  Objective(const ModelChoice& model, const Conditions& conditions, const Target& target);
+
+  // Evaluates candidates (full parameter vectors) on the same replicate seeds: common random numbers make candidates comparable.
+  // Runs candidate × replicate in parallel; results do not depend on the number of threads. `finer` divides the time step.
+  std::vector<Outcome> evaluate(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, int finer = 1) const;
+  Outcome evaluate(const std::vector<double>& candidate, std::span<const Rng> seeds, int finer = 1) const;
+
+  // The observed tracks of one run: what evaluate() measures.
+  Tracks simulate(const std::vector<double>& candidate, const Rng& seed, int finer = 1) const;
+
+  int substeps() const { return plan_.substeps; }
+
+ private:
+  struct Trial;
+  Trial run(const std::vector<double>& candidate, const Rng& seed, int finer) const;
+  Outcome pool(std::span<Trial> trials) const;
+  Tracks simulate(const std::vector<double>& candidate, const Rng& seed, int finer, Counters& count, bool& blew_up) const;
+
+  const Conditions& conditions_;
+  const Target& target_;
+  std::unique_ptr<Model> model_;
+  Plan plan_;
+};
+
+// Replicate seeds: the same for every model and candidate of a run.
+std::vector<Rng> replicate_seeds(const Rng& root, Stream stream, int replicates);
+
+}  // namespace swarmfit

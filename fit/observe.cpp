@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "fit/observe.h"
+
+#include <algorithm>
+
+namespace swarmfit {
+
+Observer::Observer(const Tracks* mask, const Eigen::Array3d& sigma, Rng rng, FrameSink& out)
+    : mask_(mask), sigma_(sigma), rng_(rng), out_(out) {}
+
+void Observer::advance_to(std::int64_t frame) {
+  const auto frames = mask_->frames();
+  while (cursor_ < frames.size() && frames[cursor_].number < frame) ++cursor_;
+  const bool recorded = cursor_ < frames.size() && frames[cursor_].number == frame;
+  visible_ = recorded ? mask_->track().subspan(static_cast<std::size_t>(frames[cursor_].first), static_cast<std::size_t>(frames[cursor_].count))
+                      : std::span<const std::uint32_t>{};
+}
+
+bool Observer::seen(std::uint32_t id) const { return !mask_ || std::binary_search(visible_.begin(), visible_.end(), id); }
+
+void Observer::frame(const Snapshot& now) {
+  if (mask_) advance_to(now.frame);
+  std::vector<Index> rows;
+  id_.clear();
+  kind_.clear();
+  for (std::size_t i = 0; i < now.id.size(); ++i) {
+    if (!seen(now.id[i])) continue;
+    rows.push_back(static_cast<Index>(i));
+    id_.push_back(now.id[i]);
+    kind_.push_back(now.kind[i]);
+  }
+  pos_.resize(static_cast<Index>(rows.size()), 3);
+  vel_.resize(static_cast<Index>(rows.size()), 3);
+  const auto tick = static_cast<std::uint64_t>(now.frame) & 0xFFFFFFFFFFFFu;  // frame numbers may be negative
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto row = static_cast<Index>(i);
+    const auto xy = rng_.normal2(Stream::localisation, tick, id_[i], 0);
+    const double z = sigma_[2] > 0 ? rng_.normal2(Stream::localisation, tick, id_[i], 1)[0] : 0;
+    const Eigen::Array3d error = sigma_ * Eigen::Array3d(xy[0], xy[1], z);
+    pos_.row(row) = now.pos.row(rows[i]) + error.transpose();
+    vel_.row(row) = now.vel.row(rows[i]);
+  }
+  out_.frame({now.frame, id_, kind_, pos_, vel_});
+}
+
+}  // namespace swarmfit

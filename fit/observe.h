@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "libtrack/rng.h"
+#include "libtrack/tracks.h"
+
+namespace swarmfit {
+
+// What the camera would have made of a simulation: only individuals that the recording shows in a frame are seen, and every seen position
+// carries a localisation error of its own. Sits between a simulation and the evaluator; ids are track numbers of the recording.
+class Observer : public FrameSink {
+ public:
+  // mask: the recording whose presence and gaps are applied, or null to see everybody. sigma: error per axis [unit].
+  Observer(const Tracks* mask, const Eigen::Array3d& sigma, Rng rng, FrameSink& out);
+  void frame(const Snapshot& now) override;
+
+ private:
+  bool seen(std::uint32_t id) const;
+  void advance_to(std::int64_t frame);
+
+  const Tracks* mask_;
+  Eigen::Array3d sigma_;
+  Rng rng_;
+  FrameSink& out_;
+  std::size_t cursor_ = 0;                         // first frame of the mask not before the present one
+  std::span<const std::uint32_t> visible_;         // track numbers seen in this frame, ascending
+  std::vector<std::uint32_t> id_;                  // buffers of the frame passed on
+  std::vector<std::uint8_t> kind_;
+  Rows pos_, vel_;
+};
+
+}  // namespace swarmfit

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "fit/search_space.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr double kAtBound = 0.01;  // share of the searched interval that counts as being on its bound
+
+// The request for one parameter of one model: the fullest name wins.
+template <class Value>
+const Value* find_request(const std::map<std::string, Value>& requests, const ModelChoice& model, std::string_view parameter) {
+  for (const std::string& key :
+       {fmt::format("{}.{}", model.name, parameter), fmt::format("{}.{}", model.spec->name, parameter), std::string(parameter)})
+    if (const auto it = requests.find(key); it != requests.end()) return &it->second;
+  return nullptr;
+}
+
+bool names_parameter_of(const std::string& key, const ModelChoice& model) {
+  return std::any_of(model.spec->parameters.begin(), model.spec->parameters.end(), [&](const Parameter& p) {
+    return key == p.name || key == fmt::format("{}.{}", model.spec->name, p.name) || key == fmt::format("{}.{}", model.name, p.name);
+  });
+}
+
+template <class Value>
+void check_keys(const std::map<std::string, Value>& requests, const char* flag, const std::vector<ModelChoice>& models) {
+  for (const auto& [key, value] : requests) {
+    if (std::any_of(models.begin(), models.end(), [&](const ModelChoice& m) { return names_parameter_of(key, m); })) continue;
+    std::vector<std::string_view> names;
+    for (const auto& m : models)
+      for (const auto& p : m.spec->parameters)
+        if (std::find(names.begin(), names.end(), p.name) == names.end()) names.push_back(p.name);
+    throw InputError(fmt::format("{} {}: no model of this run has such a parameter; expected one of {}", flag, key, fmt::join(names, ", ")));
+  }
+}
+
+}  // namespace
+
+SearchSpace::SearchSpace(const ModelChoice& model, const Scales& scales, const ParameterRequests& requests) : model_(model) {
+  const auto& table = model.spec->parameters;
+  for (std::size_t p = 0; p < table.size(); ++p) {
+    const double unit = table[p].scale(scales);
+    base_.push_back(table[p].fit.initial * unit);
+    axes_.push_back({table[p].fit.lower * unit, table[p].fit.upper * unit, table[p].log, table[p].integer});
+    if (table[p].fitted && model.spec->uses(p, model.options)) searched_.push_back(p);
+  }
+  apply(model, requests);
+}
+
+void SearchSpace::apply(const ModelChoice& model, const ParameterRequests& requests) {
+  const auto& table = model.spec->parameters;
+  const auto search = [this](std::size_t p, bool yes) {
+    std::erase(searched_, p);
+    if (yes) searched_.insert(std::upper_bound(searched_.begin(), searched_.end(), p), p);
+  };
+  for (std::size_t p = 0; p < table.size(); ++p) {
+    if (!model.spec->uses(p, model.options)) continue;
+    const auto* value = find_request(requests.set, model, table[p].name);
+    const auto* bounds = find_request(requests.bounds, model, table[p].name);
+    if (value) base_[p] = *value;
+    if (value || find_request(requests.fix, model, table[p].name)) search(p, false);
+    if (!bounds) continue;
+    const auto [lower, upper] = *bounds;
+    if (!(lower < upper)) throw InputError(fmt::format("--bounds {}={}:{}: the interval is empty; expected lower < upper", table[p].name, lower, upper));
+    axes_[p].lower = lower;
+    axes_[p].upper = upper;
+    axes_[p].log = table[p].log && lower > 0;  // a zero lower bound is never log-scaled
+    base_[p] = std::clamp(base_[p], lower, upper);
+    search(p, true);
+  }
+}
+
+std::vector<double> SearchSpace::parameters(const Point& x) const {
+  auto values = base_;
+  for (std::size_t k = 0; k < searched_.size(); ++k) {
+    const auto& axis = axes_[searched_[k]];
+    const double u = x[static_cast<Index>(k)];
+    double value = axis.log ? axis.lower * std::exp(u * std::log(axis.upper / axis.lower)) : axis.lower + u * (axis.upper - axis.lower);
+    value = std::clamp(value, axis.lower, axis.upper);
+    values[searched_[k]] = axis.integer ? std::round(value) : value;
+  }
+  return values;
+}
+
+Point SearchSpace::point(const std::vector<double>& parameters) const {
+  Point x(dimensions());
+  for (std::size_t k = 0; k < searched_.size(); ++k) {
+    const auto& axis = axes_[searched_[k]];
+    const double value = std::clamp(parameters[searched_[k]], axis.lower, axis.upper);
+    const double u = axis.log ? std::log(value / axis.lower) / std::log(axis.upper / axis.lower) : (value - axis.lower) / (axis.upper - axis.lower);
+    x[static_cast<Index>(k)] = std::clamp(u, 0.0, 1.0);
+  }
+  return x;
+}
+
+std::vector<ParameterResult> SearchSpace::describe(const Point& x, const std::string& length_unit) const {
+  const auto values = parameters(x);
+  const auto& table = model_.spec->parameters;
+  std::vector<ParameterResult> out;
+  for (std::size_t p = 0; p < table.size(); ++p) {
+    if (!model_.spec->uses(p, model_.options)) continue;
+    ParameterResult r{std::string(table[p].name), std::string(table[p].symbol), to_string(table[p].unit, length_unit), std::string(table[p].meaning)};
+    r.value = r.lower = r.upper = values[p];
+    const auto found = std::find(searched_.begin(), searched_.end(), p);
+    if (found != searched_.end()) {
+      const double u = x[found - searched_.begin()];
+      r.fitted = true;
+      r.log = axes_[p].log;
+      r.lower = axes_[p].lower;
+      r.upper = axes_[p].upper;
+      r.at_bound = u < kAtBound || u > 1 - kAtBound;
+    }
+    out.push_back(std::move(r));
+  }
+  return out;
+}
+
+void check_requests(const ParameterRequests& requests, const std::vector<ModelChoice>& models) {
+  check_keys(requests.set, "--set", models);
+  check_keys(requests.fix, "--fix", models);
+  check_keys(requests.bounds, "--bounds", models);
+}
+
+}  // namespace swarmfit
