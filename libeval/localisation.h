@@ -6,18 +6,31 @@
 
 namespace swarmfit {
 
-// Localisation error estimated from the positions alone. The error is taken as white: independent from frame to frame, normal.
+// Localisation error estimated from the positions alone.
+//
+// White error of variance σ² gives the m-th difference of positions the variance C(2m, m) σ²; smooth motion gives it ever less as m grows.
+// So Var(Δ^m x) / C(2m, m) falls with m until it levels off at σ² (the variate difference method: Anderson 1929, Tintner 1940). Real
+// accelerations that change from frame to frame level off too, so sigma is an upper bound. Differences beyond 10 robust standard deviations
+// (identity jumps) are left out.
+//
+// Smoothed positions do not level off, or level off at a wrong height; `white` is false then, and sigma only tells what smoothing left
+// over.
 struct Localisation {
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // standard deviation per axis [unit]; 0 where nothing can be told
-  Index samples = 0;                              // segments' differences it rests on
-  bool white = false;       // do differences of rising order agree, as they must for white error?
+  Index samples = 0;                              // differences it rests on, all axes; 0: too few unbroken stretches
+  bool white = false;             // level at rising orders, flat over the upper third of the spectrum, and not the file's last digit
+  bool rounding = false;          // sigma is no more than the rounding of the numbers in the file
   double acceleration_share = 0;  // share of the mean squared acceleration that this error explains, 0..1
   double jerk_share = 0;          // likewise for the jerk
 };
 Localisation estimate_localisation(const Tracks& tracks);
 
+// The same positions with normal error added, independent per axis and frame: a pure function of (seed, track, frame, axis).
+Tracks with_error(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed);
+
 // Share of each metric's variance that is due to an error of this size: adds the same error once more (fixed seed) and looks how far the
-// variance rises (one step of SIMEX, Cook & Stefanski 1994). 0..1; NaN if the metric is undefined.
+// variance rises (one step of SIMEX, Cook & Stefanski 1994). 0..1; NaN if the metric is undefined. An angle cannot exceed pi: where error
+// already turns headings at random, the share of omega and alpha comes out too small.
 PerMetric<double> error_share(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed);
 
 }  // namespace swarmfit

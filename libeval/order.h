@@ -6,11 +6,13 @@
 
 namespace swarmfit {
 
+// One value per frame with anybody in it. A heading is v/|v|, v being the forward difference of positions; who has no next frame or stands
+// still has none.
 struct OrderSeries {
   std::vector<std::int64_t> frame;
-  std::vector<double> polarisation;  // |sum v/|v|| / n over individuals with a defined, non-zero velocity, in [0, 1]; NaN if n < 2
-  std::vector<double> milling;       // |sum r̂ × v̂| / n about the centroid of the frame, in [0, 1]; NaN if n < 2
-  std::vector<double> extent;        // root-mean-square distance to the centroid [unit]
+  std::vector<double> polarisation;  // |sum of headings| / n, in [0, 1]; NaN if fewer than two have a heading
+  std::vector<double> milling;       // |sum of r̂ × v̂| / n, r from the centroid, in [0, 1]; NaN if fewer than two have both
+  std::vector<double> extent;        // root-mean-square distance to the centroid of all in the frame [unit]; NaN for one alone
 };
 OrderSeries order_parameters(const Tracks& tracks);
 

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "libeval/localisation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "libeval/energy.h"
+#include "libtrack/rng.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr double kOutlier = 10;                         // robust standard deviations: beyond is an identity jump, not camera error
+constexpr double kNormalQuartile = 0.6744897501960817;  // median |z| of a standard normal
+constexpr int kLowest = 2, kHighest = 8;                // orders of difference looked at
+constexpr Index kFewest = 100;                          // differences that a level must rest on
+constexpr double kLevelled = 0.9;  // next order's level over this one's; motion slower than 1/6 of the frame rate then adds less than 5 %
+constexpr double kFlat = 1.6;      // largest ratio of levels within the upper third of the spectrum (white: 1, rough acceleration: 2.7)
+constexpr double kDigit = 1.5;     // times the rounding error of the last digit
+
+// Taps of (1 - B)^differences (1 + B)^sums, B being the step back by one frame.
+std::vector<double> taps(int differences, int sums) {
+  std::vector<double> c{1};
+  for (int k = 0; k < differences + sums; ++k) {
+    const double sign = k < differences ? -1 : 1;
+    c.push_back(0);
+    for (std::size_t i = c.size() - 1; i > 0; --i) c[i] += sign * c[i - 1];
+  }
+  return c;
+}
+
+// What variance per frame white error must have to explain the filtered positions.
+struct Level {
+  double variance = 0;
+  Index samples = 0;
+};
+
+std::vector<double> filtered(const Tracks& tracks, Index axis, const std::vector<double>& c) {
+  const auto x = tracks.pos().col(axis);
+  std::vector<double> out;
+  for_each_segment(tracks, static_cast<Index>(c.size()), [&](std::span<const Index> rows) {
+    for (std::size_t k = 0; k + c.size() <= rows.size(); ++k) {
+      double sum = 0;
+      for (std::size_t i = 0; i < c.size(); ++i) sum += c[i] * x(rows[k + i]);
+      out.push_back(sum);
+    }
+  });
+  return out;
+}
+
+Level level(const Tracks& tracks, Index axis, int differences, int sums = 0) {
+  const auto c = taps(differences, sums);
+  std::vector<double> size = filtered(tracks, axis, c);
+  if (static_cast<Index>(size.size()) < kFewest) return {};
+  for (double& value : size) value = std::abs(value);
+  const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
+  std::nth_element(size.begin(), middle, size.end());
+  const double limit = *middle > 0 ? kOutlier * *middle / kNormalQuartile : std::numeric_limits<double>::infinity();
+  double squares = 0, norm = 0;
+  Index kept = 0;
+  for (const double value : size)
+    if (value < limit) squares += value * value, ++kept;
+  for (const double tap : c) norm += tap * tap;
+  return {squares / static_cast<double>(kept) / norm, kept};
+}
+
+// Standard deviation of rounding to the decimals that the numbers of this axis are written with; 0 if they have more than nine.
+double rounding_error(const Tracks& tracks, Index axis) {
+  std::vector<int> decimals;
+  decimals.reserve(static_cast<std::size_t>(tracks.rows()));
+  for (const double x : tracks.pos().col(axis)) {
+    int k = 0;
+    for (double power = 1; k < 10; ++k, power *= 10)
+      if (std::abs(x * power - std::round(x * power)) < 1e-6) break;
+    decimals.push_back(k);
+  }
+  const auto middle = decimals.begin() + static_cast<std::ptrdiff_t>(decimals.size() / 2);
+  std::nth_element(decimals.begin(), middle, decimals.end());
+  return *middle < 10 ? std::pow(10.0, -*middle) / std::sqrt(12.0) : 0;
+}
+
+struct AxisError {
+  Level error;
+  double acceleration, jerk;  // levels of the second and third differences
+  bool white, rounding;
+};
+
+// Filters with most of their response at 0.5, 0.38 and 0.33 cycles per frame: white error has the same level through each.
+bool flat_spectrum(const Tracks& tracks, Index axis) {
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (int sums = 0; sums <= 2; ++sums) {
+    const Level band = level(tracks, axis, 6, sums);
+    if (band.samples == 0) return false;
+    low = std::min(low, band.variance);
+    high = std::max(high, band.variance);
+  }
+  return high <= kFlat * low;
+}
+
+std::optional<AxisError> axis_error(const Tracks& tracks, Index axis) {
+  Level now = level(tracks, axis, kLowest);
+  const Level jerk = level(tracks, axis, 3);
+  if (now.samples == 0 || jerk.samples == 0) return std::nullopt;
+  AxisError out{now, now.variance, jerk.variance, false, false};
+  bool levelled = false;
+  for (int order = kLowest + 1; order <= kHighest && !levelled; ++order) {
+    const Level next = level(tracks, axis, order);
+    if (next.samples == 0) break;
+    levelled = next.variance >= kLevelled * now.variance;
+    now = next;
+  }
+  out.error = now;
+  out.rounding = std::sqrt(now.variance) < kDigit * rounding_error(tracks, axis);
+  out.white = levelled && !out.rounding && flat_spectrum(tracks, axis);
+  return out;
+}
+
+double share(double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0; }
+
+}  // namespace
+
+Localisation estimate_localisation(const Tracks& tracks) {
+  Localisation out;
+  double error = 0, acceleration = 0, jerk = 0;
+  int axes = 0, white = 0, rounding = 0;
+  for (Index axis = 0; axis < tracks.dims(); ++axis) {
+    const auto found = axis_error(tracks, axis);
+    if (!found) continue;
+    out.sigma[axis] = std::sqrt(found->error.variance);
+    out.samples += found->error.samples;
+    error += found->error.variance;
+    acceleration += found->acceleration;
+    jerk += found->jerk;
+    ++axes;
+    white += found->white;
+    rounding += found->rounding;
+  }
+  out.white = axes > 0 && white == axes;
+  out.rounding = axes > 0 && rounding == axes;
+  out.acceleration_share = share(error, acceleration);
+  out.jerk_share = share(error, jerk);
+  return out;
+}
+
+Tracks with_error(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed) {
+  const Rng rng{seed};
+  const auto n = static_cast<std::size_t>(tracks.rows());
+  TrackColumns c;
+  c.names = tracks.names();
+  c.track.assign(tracks.track().begin(), tracks.track().end());
+  c.frame.assign(tracks.frame().begin(), tracks.frame().end());
+  c.episodes.assign(tracks.episodes().begin(), tracks.episodes().end());
+  c.pos = tracks.pos();
+  c.kind.reserve(n);
+  for (Index row = 0; row < tracks.rows(); ++row) {
+    c.kind.push_back(tracks.kind(row));
+    const auto k = static_cast<std::size_t>(row);
+    const auto tick = static_cast<std::uint64_t>(c.frame[k]) & 0xFFFFFFFFFFFFu;
+    const auto xy = rng.normal2(Stream::localisation, tick, c.track[k], 0);
+    const auto z = rng.normal2(Stream::localisation, tick, c.track[k], 1);
+    c.pos(row, 0) += sigma[0] * xy[0];
+    c.pos(row, 1) += sigma[1] * xy[1];
+    if (tracks.dims() == 3) c.pos(row, 2) += sigma[2] * z[0];
+  }
+  return Tracks(std::move(c), tracks.meta());
+}
+
+PerMetric<double> error_share(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed) {
+  const MetricSamples once = metric_samples(tracks), twice = metric_samples(with_error(tracks, sigma, seed));
+  PerMetric<double> out;
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    Moments before, after;
+    for (const double x : once.values[m]) before.add(x);
+    for (const double x : twice.values[m]) after.add(x);
+    const double variance = before.sd() * before.sd(), risen = after.sd() * after.sd();
+    out[m] = variance > 0 && std::isfinite(risen) ? std::clamp(risen / variance - 1, 0.0, 1.0) : std::numeric_limits<double>::quiet_NaN();
+  }
+  return out;
+}
+
+}  // namespace swarmfit
