@@ -79,10 +79,10 @@ class Tracks {
   std::uint8_t kind(Index row) const { return columns_.kind.empty() ? 0 : columns_.kind[static_cast<std::size_t>(row)]; }
   const std::vector<std::string>& names() const { return columns_.names; }
 
-  std::span<const FrameRange> frames() const { return frames_; }       // ascending; frames without anybody are absent
+  std::span<const FrameRange> frames() const { return frames_; }  // ascending; frames without anybody are absent
   std::size_t track_count() const { return columns_.names.size(); }
-  std::span<const Index> rows_of(std::uint32_t track) const;           // ascending in time
-  std::span<const Index> next() const { return next_; }                // see above
+  std::span<const Index> rows_of(std::uint32_t track) const;  // ascending in time
+  std::span<const Index> next() const { return next_; }       // see above
 
  private:
   void sort();

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Which column of a table holds what: the --columns flag and the usual header names.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace swarmfit {
+
+enum class Column : std::uint8_t { frame, t, x, y, z, vx, vy, vz, ax, ay, az, kind, id, date, skip };
+
+// The columns that hold numbers come first in the enumeration.
+inline constexpr std::size_t kNumberColumns = static_cast<std::size_t>(Column::kind) + 1;
+
+struct ColumnMap {
+  std::vector<Column> of;  // one entry per column of the file
+  bool degrees = false;    // x and y are longitude and latitude
+  std::string unit{};      // length unit found in the header ("x [mm]", "x/mm"); empty: none
+  std::string spec{};      // the same mapping as --columns would take it
+  bool has(Column c) const;
+};
+
+// The mapping by --columns. `names` is the header (empty when the file has none), `count` the number of columns of the file.
+// Throws InputError "--columns: ..." for unknown or repeated names, a wrong count, or a mapping without x and y.
+ColumnMap map_columns(std::string_view spec, const std::vector<std::string>& names, std::size_t count);
+
+// The mapping by the usual names in the header; an exact name ("x") wins over an alias ("pos_x"). The result may lack x or y.
+// Throws InputError at `place` when two columns have an equal claim.
+ColumnMap map_header(const std::vector<std::string>& names, const std::string& place);
+
+// The names joined for a message, shortened when there are many.
+std::string listed(const std::vector<std::string>& names);
+
+}  // namespace swarmfit

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Whole files in and out.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace swarmfit {
+
+// All bytes of a file. Throws InputError when there is no such file or it is a directory, RunError when reading fails.
+std::string read_file(const std::string& path);
+
+// Writes under a temporary name in the same folder, flushes to the disk and renames, so that `path` holds either its old content or
+// all of the new one, whatever happens in between. Devices and pipes are written directly. Throws RunError.
+void write_file_atomically(const std::string& path, std::string_view bytes);
+
+// SHA-256 as 64 lower-case hexadecimal digits.
+std::string sha256_hex(std::string_view bytes);
+
+}  // namespace swarmfit

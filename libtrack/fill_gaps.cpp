@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "libtrack/fill_gaps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace swarmfit {
+namespace {
+
+// One row of the result: between rows a and b = a + 1 of the input, `part` of the way.
+struct Source {
+  Index a;
+  double part;
+};
+
+Rows interpolated(const Rows& rows, const std::vector<Source>& sources) {
+  if (rows.rows() == 0) return rows;
+  Rows out(static_cast<Index>(sources.size()), 3);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const auto [a, part] = sources[i];
+      out(static_cast<Index>(i), axis) = part == 0 ? rows(a, axis) : rows(a, axis) + part * (rows(a + 1, axis) - rows(a, axis));
+    }
+  }
+  return out;
+}
+
+// No episode starts in (from, to].
+bool one_take(const std::vector<std::int64_t>& episodes, std::int64_t from, std::int64_t to) {
+  return std::none_of(episodes.begin(), episodes.end(), [&](auto start) { return from < start && start <= to; });
+}
+
+}  // namespace
+
+void fill_gaps(TrackColumns& columns, int most, std::vector<std::string>& notes) {
+  std::vector<Source> sources;
+  TrackColumns out;
+  std::size_t gaps = 0;
+  const std::size_t n = columns.frame.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto add = [&](std::int64_t frame, double part) {
+      sources.push_back({static_cast<Index>(i), part});
+      out.track.push_back(columns.track[i]);
+      out.frame.push_back(frame);
+      if (!columns.kind.empty()) out.kind.push_back(columns.kind[i]);
+    };
+    add(columns.frame[i], 0);
+    if (i + 1 == n || columns.track[i + 1] != columns.track[i]) continue;
+    const std::int64_t from = columns.frame[i], to = columns.frame[i + 1];
+    if (to - from < 2 || to - from - 1 > most || !one_take(columns.episodes, from, to)) continue;
+    ++gaps;
+    for (auto frame = from + 1; frame < to; ++frame) add(frame, static_cast<double>(frame - from) / static_cast<double>(to - from));
+  }
+  notes.push_back(
+      fmt::format("{} missing rows in {} gaps of at most {} frames were filled by linear interpolation", sources.size() - n, gaps, most));
+  columns.pos = interpolated(columns.pos, sources);
+  columns.vel = interpolated(columns.vel, sources);
+  columns.acc = interpolated(columns.acc, sources);
+  columns.track = std::move(out.track);
+  columns.frame = std::move(out.frame);
+  columns.kind = std::move(out.kind);
+}
+
+}  // namespace swarmfit

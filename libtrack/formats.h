@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The readers, one file each; the table that lists them is in read.cpp.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "libtrack/raw_table.h"
+#include "libtrack/read.h"
+
+namespace swarmfit {
+
+struct Source {
+  const std::string& name;  // path, for messages and for its ending
+  std::string_view bytes;
+  bool ends_with(std::string_view ending) const;  // ".mat", in any case
+};
+
+// A reader: does it know this content, and reading it.
+struct Reader {
+  Format format;
+  bool (*recognises)(const Source&, const ReadOptions&);
+  RawTable (*read)(const Source&, const ReadOptions&);
+};
+
+extern const Reader kDelimitedText;
+
+}  // namespace swarmfit

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "libtrack/frame_clock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace swarmfit {
+namespace {
+
+using Times = std::vector<double>;  // of one individual, ascending
+
+// Enough of the recording to know its interval: at most this many rows are looked at.
+constexpr std::size_t kSampleRows = 200'000;
+
+std::vector<Times> sample(std::span<const double> time, std::span<const std::size_t> first) {
+  const std::size_t tracks = first.size() - 1;
+  const std::size_t stride = std::max<std::size_t>(1, time.size() / kSampleRows);
+  std::vector<Times> groups;
+  for (std::size_t k = 0; k < tracks; k += std::min(stride, std::max<std::size_t>(1, tracks / 16))) {
+    const auto rows = time.subspan(first[k], std::min(first[k + 1] - first[k], kSampleRows));
+    if (!rows.empty()) groups.emplace_back(rows.begin(), rows.end());
+  }
+  return groups;
+}
+
+// Cut where more than one frame passes.
+std::vector<Times> unbroken(const std::vector<Times>& groups, double dt) {
+  std::vector<Times> runs;
+  for (const auto& group : groups) {
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      if (i == 0 || group[i] - group[i - 1] > 1.5 * dt) runs.emplace_back();
+      runs.back().push_back(group[i]);
+    }
+  }
+  return runs;
+}
+
+std::vector<Times> together(const std::vector<Times>& groups) {
+  Times all;
+  for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());
+  std::sort(all.begin(), all.end());
+  return {all};
+}
+
+Times differences(const std::vector<Times>& groups) {
+  Times out;
+  for (const auto& group : groups)
+    for (std::size_t i = 1; i < group.size(); ++i)
+      if (group[i] > group[i - 1]) out.push_back(group[i] - group[i - 1]);
+  return out;
+}
+
+double median(Times values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// The phase against the lattice origin + k * dt that fits the times best, in (-dt/2, dt/2]: the circular mean.
+double phase(std::span<const double> times, double origin, double dt) {
+  std::complex<double> sum = 0;
+  for (const double t : times) sum += std::polar(1.0, 2 * std::numbers::pi * std::remainder(t - origin, dt) / dt);
+  return std::arg(sum) / (2 * std::numbers::pi) * dt;
+}
+
+// One step of refinement: every group gets its own phase, all share the slope of time on frame number.
+double refined(const std::vector<Times>& groups, double dt) {
+  double numerator = 0, denominator = 0;
+  for (const auto& times : groups) {
+    if (times.size() < 2) continue;
+    const double origin = times[0] + phase(times, times[0], dt);
+    double mean_k = 0, mean_t = 0;
+    for (const double t : times) {
+      mean_k += std::round((t - origin) / dt);
+      mean_t += t - origin;
+    }
+    mean_k /= static_cast<double>(times.size());
+    mean_t /= static_cast<double>(times.size());
+    for (const double t : times) {
+      const double k = std::round((t - origin) / dt) - mean_k;
+      numerator += k * (t - origin - mean_t);
+      denominator += k * k;
+    }
+  }
+  return denominator > 0 ? numerator / denominator : dt;
+}
+
+// Root-mean-square deviation in frames, every group against its own phase; 1 (hopeless) when two rows fall on one frame.
+double jitter(const std::vector<Times>& groups, double dt) {
+  double sum = 0;
+  std::size_t n = 0;
+  for (const auto& times : groups) {
+    const double origin = times[0] + phase(times, times[0], dt);
+    double last = -1;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const double k = std::round((times[i] - origin) / dt);
+      if (i > 0 && k == last && times[i] != times[i - 1]) return 1;
+      last = k;
+      const double r = (times[i] - origin) / dt - k;
+      sum += r * r;
+      ++n;
+    }
+  }
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, n)));
+}
+
+// A round number close enough that no frame of the recording moves by more than a hundredth of a frame: 1/60 for 0.016666667.
+double rounded_interval(double dt, double span) {
+  const double frames = std::max(1.0, span / dt);
+  const auto close = [&](double candidate) { return std::abs(candidate / dt - 1) * frames <= 0.01; };
+  const double by_rate = 1 / (std::round(1 / dt * 1000) / 1000), by_interval = std::round(dt * 1e6) / 1e6;
+  if (1 / dt >= 1 && close(1 / std::round(1 / dt))) return 1 / std::round(1 / dt);
+  if (by_interval > 0 && close(by_interval)) return by_interval;
+  if (std::isfinite(by_rate) && close(by_rate)) return by_rate;
+  return dt;
+}
+
+struct Guess {
+  double dt, jitter;
+};
+
+Guess refine(const std::vector<Times>& groups, const Times& steps, double dt) {
+  double sum = 0, count = 0;
+  for (const double d : steps) {
+    if (d < 0.5 * dt || d > 1.5 * dt) continue;
+    sum += d;
+    ++count;
+  }
+  if (count > 0) dt = sum / count;
+  dt = refined(unbroken(groups, dt), dt);
+  for (int i = 0; i < 2; ++i) dt = refined(groups, dt);
+  return {dt, jitter(groups, dt)};
+}
+
+Guess best_guess(const std::vector<Times>& groups, const Times& steps) {
+  const double middle = median(steps);
+  Guess first{};
+  constexpr int most_missed = 8;
+  for (int m = 1; m <= most_missed; ++m) {
+    const Guess guess = refine(groups, steps, middle / m);
+    if (guess.jitter <= kLargestJitter) return guess;
+    if (m == 1) first = guess;
+  }
+  return first;
+}
+
+// Numbers the frames of each individual by its own clock phase, so that an individual on the edge between two frames stays on one side.
+void number_frames(FrameClock& clock, std::span<const double> time, std::span<const std::size_t> first, double origin) {
+  const double offset = std::round(origin / clock.dt);
+  clock.t0 = origin - offset * clock.dt;
+  clock.frame.resize(time.size());
+  for (std::size_t k = 0; k + 1 < first.size(); ++k) {
+    const auto times = time.subspan(first[k], first[k + 1] - first[k]);
+    double worst = 0;
+    for (const double t : times) worst = std::max(worst, std::abs(std::remainder(t - origin, clock.dt)));
+    const double own = worst > 0.25 * clock.dt ? phase(times, origin, clock.dt) : 0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const double k_frame = std::round((times[i] - origin - own) / clock.dt);
+      clock.frame[first[k] + i] = static_cast<std::int64_t>(k_frame + offset);
+      clock.deviation = std::max(clock.deviation, std::abs(times[i] - origin - k_frame * clock.dt));
+    }
+  }
+  // Less than the precision of the time stamps.
+  if (std::abs(clock.t0) <= clock.deviation + 1e-9 * clock.dt) clock.t0 = 0;
+}
+
+}  // namespace
+
+FrameClock fit_frame_clock(std::span<const double> time, std::span<const std::size_t> first) {
+  FrameClock clock;
+  auto groups = sample(time, first);
+  auto steps = differences(groups);
+  if (steps.empty()) {  // nobody is seen twice: only the recording as a whole has differences
+    groups = together(groups);
+    steps = differences(groups);
+  }
+  if (steps.empty()) {
+    clock.problem = "all rows have the same time";
+    return clock;
+  }
+  const Guess guess = best_guess(groups, steps);
+  if (guess.jitter > kLargestJitter) {
+    clock.problem = guess.jitter >= 1
+                        ? fmt::format("the times have no constant interval: several rows fall into one step of {:.6g} s", guess.dt)
+                        : fmt::format("the times have no constant interval: they deviate from steps of {:.6g} s by {:.2g} steps (rms)",
+                                      guess.dt, guess.jitter);
+    return clock;
+  }
+  const auto all = together(groups);
+  const double joint = refined(all, guess.dt);
+  clock.dt = rounded_interval(jitter(groups, joint) <= guess.jitter + 0.01 ? joint : guess.dt, all[0].back() - all[0].front());
+  number_frames(clock, time, first, all[0][0] + phase(all[0], all[0][0], clock.dt));
+  return clock;
+}
+
+FrameClock fit_known_frames(std::span<const double> time, std::span<const double> frame) {
+  FrameClock clock;
+  const double n = static_cast<double>(time.size());
+  double mean_k = 0, mean_t = 0, numerator = 0, denominator = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    mean_k += (frame[i] - frame[0]) / n;
+    mean_t += (time[i] - time[0]) / n;
+  }
+  double low = frame[0], high = frame[0];
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double k = frame[i] - frame[0] - mean_k;
+    numerator += k * (time[i] - time[0] - mean_t);
+    denominator += k * k;
+    low = std::min(low, frame[i]);
+    high = std::max(high, frame[i]);
+  }
+  if (denominator == 0) {
+    clock.problem = "all rows are in one frame";
+    return clock;
+  }
+  clock.dt = numerator / denominator;
+  if (!(clock.dt > 0)) {
+    clock.problem = "the time does not grow with the frame number";
+    return clock;
+  }
+  clock.dt = rounded_interval(clock.dt, clock.dt * (high - low));
+  clock.t0 = time[0] + mean_t - clock.dt * (frame[0] + mean_k);
+  double sum = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double r = time[i] - clock.t0 - clock.dt * frame[i];
+    sum += r * r;
+    clock.deviation = std::max(clock.deviation, std::abs(r));
+    clock.frame.push_back(static_cast<std::int64_t>(frame[i]));
+  }
+  const double rms = std::sqrt(sum / n) / clock.dt;
+  if (rms > kLargestJitter)
+    clock.problem = fmt::format("time and frame number disagree: by {:.2g} frames (rms) at {:.6g} s per frame", rms, clock.dt);
+  if (std::abs(clock.t0) <= clock.deviation + 1e-9 * clock.dt) clock.t0 = 0;
+  return clock;
+}
+
+}  // namespace swarmfit
