@@ -125,20 +125,23 @@ class Sampler {
     }
   }
 
-  // omega and alpha; rows ascend in time, so going backwards meets the later omega first
+  // omega and alpha
   void turning() {
     const double still = still_speed(out_.values[kSpeed]);
     std::vector<double> omega(static_cast<std::size_t>(tracks_.rows()), kUndefined);
-    for (Index k = tracks_.rows() - 1; k >= 0; --k) {
+    for (Index k = 0; k < tracks_.rows(); ++k) {
+      if (!turns(k)) continue;
       const Index k1 = next(k);
-      if (!v_.exists(k) || !v_.exists(k1)) continue;
-      const bool moving = v_.speed(k) > 0 && v_.speed(k1) > 0 && v_.speed(k) >= still && v_.speed(k1) >= still;
+      const double slower = std::min(v_.speed(k), v_.speed(k1));
       double& now = omega[static_cast<std::size_t>(k)];
-      if (moving) now = angle(v_[k], v_[k1]) / dt_;
+      if (slower > 0 && slower >= still) now = angle(v_[k], v_[k1]) / dt_;
       put(kAngularVelocity, now);
-      if (v_.exists(next(k1))) put(kAngularAcceleration, (omega[static_cast<std::size_t>(k1)] - now) / dt_);
     }
+    for (Index k = 0; k < tracks_.rows(); ++k)
+      if (turns(k) && turns(next(k)))
+        put(kAngularAcceleration, (omega[static_cast<std::size_t>(next(k))] - omega[static_cast<std::size_t>(k)]) / dt_);
   }
+  bool turns(Index row) const { return v_.exists(row) && v_.exists(next(row)); }
 
   // d and eta
   void neighbours() {

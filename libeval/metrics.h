@@ -34,7 +34,7 @@ struct MetricOptions {
   VelocitySource velocity = VelocitySource::difference;
 };
 
-// All defined values of each metric; their order carries no meaning.
+// All defined values of each metric, in row order of the tracks; the order carries no meaning.
 //   v_k = (p_{k+1} - p_k)/dt;  v = |v_k|;  a = |v_{k+1} - v_k|/dt;  omega = angle(v_k, v_{k+1})/dt, by atan2(|×|, ·), in [0, pi/dt]
 //   alpha = (omega_{k+1} - omega_k)/dt, signed;  mu = |(v_{k+2} - v_{k+1}) - (v_{k+1} - v_k)|/dt²
 //   d = distance to the nearest other individual of the frame (ties: the lowest track number)
