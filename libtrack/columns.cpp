@@ -197,12 +197,6 @@ void check_user_map(const ColumnMap& map) {
     if (!map.has(c)) throw InputError(fmt::format("--columns: '{}' is missing; expected at least x and y", name_of(c)));
 }
 
-std::string by_position(const ColumnMap& map) {
-  std::string out;
-  for (const Column c : map.of) out += fmt::format("{}{}", out.empty() ? "" : ",", name_of(c));
-  return out;
-}
-
 std::string by_name(const ColumnMap& map, const std::vector<std::string>& names) {
   std::string out;
   for (std::size_t i = 0; i < map.of.size(); ++i)
@@ -251,6 +245,12 @@ ColumnMap map_by_name(const std::vector<std::string_view>& entries, const std::v
 
 bool ColumnMap::has(Column c) const { return std::find(of.begin(), of.end(), c) != of.end(); }
 
+std::string positional(const ColumnMap& map) {
+  std::string out;
+  for (const Column c : map.of) out += fmt::format("{}{}", out.empty() ? "" : ",", name_of(c));
+  return out;
+}
+
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 20;
   std::string out;
@@ -268,7 +268,7 @@ ColumnMap map_columns(std::string_view spec, const std::vector<std::string>& nam
     throw InputError(
         fmt::format("--columns: {} columns are listed but the file has {}; expected one name per column, _ to skip", map.of.size(), count));
   if (!names.empty()) look_at_units(map, names);
-  map.spec = by_position(map);
+  map.spec = positional(map);
   return map;
 }
 

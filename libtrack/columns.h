@@ -30,6 +30,9 @@ ColumnMap map_columns(std::string_view spec, const std::vector<std::string>& nam
 // Throws InputError at `place` when two columns have an equal claim.
 ColumnMap map_header(const std::vector<std::string>& names, const std::string& place);
 
+// The mapping as --columns takes it by position: "id,frame,x,y,_".
+std::string positional(const ColumnMap& map);
+
 // The names joined for a message, shortened when there are many.
 std::string listed(const std::vector<std::string>& names);
 

@@ -23,6 +23,11 @@ struct Reader {
   RawTable (*read)(const Source&, const ReadOptions&);
 };
 
+extern const Reader kMatlab;
+extern const Reader kPeTrack;
 extern const Reader kDelimitedText;
+
+// Throws InputError for well-known files that are no readable recordings, with advice.
+void refuse_non_recordings(const Source& source);
 
 }  // namespace swarmfit

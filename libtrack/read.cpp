@@ -17,6 +17,8 @@ namespace {
 
 // Every format has one line here. The first that recognises the content reads it; plain text comes last, because it takes any text.
 const std::array kReaders = {
+    &kMatlab,
+    &kPeTrack,
     &kDelimitedText,
 };
 
@@ -42,6 +44,7 @@ const Reader& choose(const Source& source, const ReadOptions& options) {
       if (reader->format.name == options.format) return *reader;
     throw InputError(fmt::format("--format: '{}' is not known; expected one of {}", options.format, format_names()));
   }
+  refuse_non_recordings(source);
   for (const Reader* reader : kReaders)
     if (reader->recognises(source, options)) return *reader;
   for (const Reader* reader : kReaders)

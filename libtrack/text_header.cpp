@@ -180,6 +180,7 @@ TextHeader look_at_text(const std::string& name, std::string_view bytes, const R
     if (names.size() == fields.size() && is_header(names)) {
       header.names = std::move(names);
       header.names_line = comment_number;
+      header.names_in_comment = true;
     }
   }
   header.first_row = std::move(fields);

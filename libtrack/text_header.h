@@ -15,6 +15,7 @@ struct TextHeader {
   char delimiter = ',';            // ' ' stands for runs of blanks
   std::vector<std::string> names;  // of the columns; empty: none in the file
   long names_line = 0;             // line of the names
+  bool names_in_comment = false;   // they stood behind a '#'
   bool quoted = false;             // some field of the first rows is quoted
   std::vector<std::string> first_row;
   std::size_t data_at = 0;  // byte offset of the first row
