@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "reports/number.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace swarmfit {
+namespace {
+
+TEST(Number, ExactReadsBackUnchanged) {
+  for (const double value : {0.1, 1.0 / 3, 5e-324, 1.7976931348623157e308, 123456789.123456789, -1e23, 0.0})
+    EXPECT_EQ(std::strtod(exact(value).c_str(), nullptr), value);
+  EXPECT_EQ(exact(0.1), "0.1");
+  EXPECT_EQ(exact(NAN), "");
+  EXPECT_EQ(exact(-INFINITY), "");
+}
+
+TEST(Number, RoundedKeepsSignificantDigits) {
+  EXPECT_EQ(rounded(12345.6), "12300");
+  EXPECT_EQ(rounded(9.996), "10.0");
+  EXPECT_EQ(rounded(0.012345), "0.0123");
+  EXPECT_EQ(rounded(-2.5), "-2.50");
+  EXPECT_EQ(rounded(1.234e-7), "1.23e-07");
+  EXPECT_EQ(rounded(2.1e8), "2.1e+08");
+  EXPECT_EQ(rounded(0), "0");
+  EXPECT_EQ(rounded(NAN), "–");
+}
+
+TEST(Number, FixedHasNoNegativeZero) {
+  EXPECT_EQ(fixed(-0.0004, 3), "0.000");
+  EXPECT_EQ(fixed(-0.0006, 3), "-0.001");
+  EXPECT_EQ(fixed(INFINITY, 2), "–");
+}
+
+TEST(Number, PercentAndCounts) {
+  EXPECT_EQ(percent(0.673), "67 %");
+  EXPECT_EQ(percent(0.0021), "0.2 %");
+  EXPECT_EQ(percent(0), "0 %");
+  EXPECT_EQ(counted(1234), "1234");
+  EXPECT_EQ(counted(1234567), "1\u202f234\u202f567");
+  EXPECT_EQ(counted(-12345), "-12\u202f345");
+  EXPECT_EQ(counted(1, "track"), "1 track");
+  EXPECT_EQ(counted(0, "gap"), "0 gaps");
+}
+
+}  // namespace
+}  // namespace swarmfit

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "sample.h"
+
+#include <cmath>
+
+namespace swarmfit {
+
+namespace {
+
+constexpr int kBins = 150;
+constexpr double kSamples = 60000;
+constexpr PerMetric<double> kMean = {213, 1840, 9.2, 0.3, 2.1e5, 41, 2.9};
+constexpr PerMetric<double> kSd = {98, 1130, 7.9, 640, 1.4e5, 19, 3.3};
+
+// A gamma density for magnitudes, a Laplace density for the signed angular acceleration.
+double shape(std::size_t metric, double x, double mean, double sd) {
+  if (metric == kAngularAcceleration) return std::exp(-std::sqrt(2.0) * std::abs(x - mean) / sd) / (std::sqrt(2.0) * sd);
+  if (x <= 0) return 0;
+  const double k = mean * mean / (sd * sd), theta = mean / k;
+  return std::exp((k - 1) * std::log(x / theta) - x / theta - std::lgamma(k)) / theta;
+}
+
+Distribution distribution(std::size_t metric, double stretch) {
+  Distribution d;
+  const double width = kSd[metric] / 10, lower = kMean[metric] - 5 * kSd[metric];
+  for (int bin = 0; bin < kBins; ++bin) {
+    const double x = lower + (bin + 0.5) * width;
+    const double n = kSamples * width * shape(metric, x, stretch * kMean[metric], (0.3 + 0.7 * stretch) * kSd[metric]);
+    d.histogram.counts.push_back(static_cast<std::uint64_t>(std::lround(n)));
+    d.histogram.samples += d.histogram.counts.back();
+  }
+  d.moments = {d.histogram.samples, stretch * kMean[metric], static_cast<double>(d.histogram.samples) * std::pow(stretch * kSd[metric], 2)};
+  return d;
+}
+
+double energy(const Histogram& a, const Histogram& b) {
+  const auto qa = density(a, -5, 10), qb = density(b, -5, 10);
+  double sum = 0;
+  for (std::size_t i = 0; i < qa.size(); ++i) sum += std::abs(qa[i] - qb[i]);
+  return sum;
+}
+
+FitResult fit_result(const Comparison& c, const Sketch& sketch, int rank) {
+  FitResult r;
+  r.model = sketch.name;
+  r.summary = "Force model with drag, repulsion, alignment, attraction and noise";
+  r.citation = "Ren et al. 2016, doi:10.1371/journal.pone.0155698";
+  r.options = {{"avoidance", "orca"}, {"noise", "curl"}};
+  r.rank = rank;
+  r.score = sketch.score;
+  r.score_se = sketch.score_se;
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    const double stretch = std::pow(sketch.stretch, 1 + 0.2 * static_cast<double>(m));
+    r.distributions[m] = distribution(m, stretch);
+    r.raw_energies[m] = energy(r.distributions[m].histogram, c.recording[m].histogram);
+    r.raw_se[m] = 0.02 + 0.02 * r.raw_energies[m];
+    r.energies[m] = r.raw_energies[m] / 20;
+    r.half_step_energies[m] = r.raw_energies[m] * 1.01;
+    r.mean_ratio[m] = stretch;
+    r.sd_ratio[m] = 0.3 + 0.7 * stretch;
+    r.outside_fraction[m] = 0.001 * static_cast<double>(m);
+  }
+  for (int k = 0; k < 3; ++k) r.replicate_energies.push_back(r.raw_energies);
+  r.parameters = {
+      {"gamma", "γ", "1/mm", "quadratic drag", 0.0123 * rank, 0.0005, 0.1, true, true, false},
+      {"chi_att", "χ_att", "mm/s²", "attraction", 2310, 0, 2310, true, false, true},
+      {"r_rep", "r_rep", "mm", "repulsion radius", 12.5, 0, 123, true, false, false},
+      {"radius", "", "mm", "avoidance radius", 4.1, 4.1, 4.1, false, false, false},
+  };
+  r.extent = 131 * sketch.stretch;
+  r.spacing = 41 * sketch.stretch;
+  r.speed = 213 * sketch.stretch;
+  r.evaluations = 2410 + 13 * rank;
+  r.simulations = 3 * r.evaluations + 20;
+  r.failed_simulations = rank == 3 ? 17 : 0;
+  r.failed_final = 0;
+  r.stop_reason = "stalled";
+  r.substeps = 2;
+  r.infeasible_avoidance = 0.0021;
+  for (int pass = 1; pass <= 3; ++pass)
+    for (int k = 1; k <= 20; ++k)
+      r.convergence.push_back({pass, 800 * (pass - 1) + 40 * k, sketch.score - 0.4 * std::exp(-0.25 * k - 1.5 * (pass - 1))});
+  return r;
+}
+
+void add_facts(Comparison& c) {
+  c.command = "compare";
+  c.version = "0.1.0";
+  c.seed = 18446744073709551615ULL;
+  c.budget = "default";
+  c.protocol = "reference";
+  c.population = 40;
+  c.generations = 60;
+  c.replicates = 3;
+  c.final_replicates = 10;
+  c.data = {"swarm.txt", std::string(64, 'a'),
+            "delimited", "id,x,y,z,t",
+            "mm",        false,
+            3,           0.01,
+            24310,       152,
+            500,         1,
+            500,         48.62,
+            131,         41,
+            213,         {"3 duplicated rows were dropped"}};
+  ObservationFacts& o = c.observation;
+  o = {"recorded", "open", "estimate", {0.31, 0.29, 0.52}, true, 0, "difference", {0.02, 0.67, 0.21, 0.74, 0.78, 0.01, 0.11}, {}, {}};
+  for (std::size_t m = 0; m < kMetrics; ++m) o.used[m] = o.error_share[m] < 0.7;
+  for (const std::size_t m : {kAngularAcceleration, kJerk}) o.why_not[m] = "more than half of its variance is localisation error";
+  c.warnings = {"Acceleration, angular acceleration and jerk are mostly localisation error."};
+  c.config = {{"data", "\"swarm.txt\""}, {"seed", "18446744073709551615"}, {"models", "\"bswarm,boids\""}};
+}
+
+void add_weights(Comparison& c) {
+  c.weights = {0.21, 0.18, 0.2, 0, 0, 0.26, 0.15};
+  c.p1 = {0.4, 0.6, 0.5, 0.4, 0.7, 0.3, 0.5};
+  c.p2 = {3.1, 4.0, 2.2, 1.9, 5.2, 2.4, 1.3};
+  c.weight_history = {{1, {0.2, 0.2, 0.2, 0, 0, 0.2, 0.2}, {}, {20, 20, 20, 20, 20, 20, 20}, 1},
+                      {2, {0.22, 0.17, 0.21, 0, 0, 0.25, 0.15}, c.p1, c.p2, 0.05},
+                      {3, c.weights, c.p1, c.p2, 0.0041}};
+  c.weights_converged = true;
+}
+
+}  // namespace
+
+Comparison sample_comparison(const std::vector<Sketch>& models) {
+  Comparison c;
+  add_facts(c);
+  add_weights(c);
+  c.defined.fill(true);
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    c.recording[m] = distribution(m, 1);
+    c.axis_width[m] = kSd[m] / 10;
+    c.axis_lower[m] = kMean[m] - 5 * kSd[m];
+  }
+  int rank = 0;
+  for (const Sketch& sketch : models) {
+    c.models.push_back(fit_result(c, sketch, ++rank));
+    c.named.push_back(sketch.name);
+    c.searched.push_back({"gamma", "chi_att", "r_rep"});
+    c.history.push_back({static_cast<std::size_t>(rank - 1), 1, "genetic", {0.01, 2100, 12.5}, c.models.back().raw_energies, 0});
+  }
+  return c;
+}
+
+Comparison sample_comparison() {
+  return sample_comparison({{"bswarm", 0.912, 0.011, 1.04},
+                            {"bswarm[noise=perlin]", 0.781, 0.02, 1.12},
+                            {"bswarm[noise=gaussian]", 0.533, 0.018, 0.85},
+                            {"boids", 0.402, 0.009, 1.4},
+                            {"bswarm[noise=white]", 0.311, 0.03, 0.7}});
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "reports/terminal.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "sample.h"
+
+namespace swarmfit {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::size_t widest(const std::string& text) {
+  std::size_t width = 0;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) width = std::max(width, display_width(line));
+  return width;
+}
+
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+TEST(RankingText, ShowsScoresEnergiesWeightsAndWarnings) {
+  const std::string text = ranking_text(sample_comparison(), {});
+  EXPECT_THAT(text, HasSubstr("bswarm moves most like the recording."));
+  EXPECT_THAT(text, HasSubstr("0.912 ± 0.011"));
+  EXPECT_THAT(text, HasSubstr("(α)"));
+  EXPECT_THAT(text, HasSubstr("more than half of its variance is localisation error"));
+  EXPECT_THAT(text, HasSubstr("weight in score"));
+  EXPECT_THAT(text, HasSubstr("mostly localisation error."));
+  EXPECT_THAT(text, HasSubstr("conditional on the bounds"));
+  EXPECT_THAT(text, Not(HasSubstr("\033")));
+}
+
+TEST(RankingText, FitsAHundredColumns) {
+  EXPECT_LE(widest(ranking_text(sample_comparison(), {})), 100u);
+  EXPECT_LE(widest(ranking_text(sample_comparison(), {.colour = false, .unicode = false})), 100u);
+}
+
+TEST(RankingText, PlainTextIsAscii) { EXPECT_TRUE(is_ascii(ranking_text(sample_comparison(), {.colour = false, .unicode = false}))); }
+
+TEST(RankingText, ColourOnlyWhenAsked) {
+  EXPECT_THAT(ranking_text(sample_comparison(), {.colour = true, .unicode = true}), HasSubstr("\033[1m"));
+}
+
+TEST(RankingText, SyntheticDataAreLabelled) {
+  Comparison c = sample_comparison();
+  EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("synthetic")));
+  c.data.synthetic = true;
+  EXPECT_THAT(ranking_text(c, {}), HasSubstr("(synthetic)"));
+}
+
+TEST(RankingText, PathsCannotDriveTheTerminal) {
+  Comparison c = sample_comparison();
+  c.data.path = "evil\033]0;title\007.txt";
+  EXPECT_THAT(ranking_text(c, {}), HasSubstr("evil?]0;title?.txt"));
+}
+
+TEST(RankingText, UndefinedNumbersAreDashes) {
+  Comparison c = sample_comparison();
+  for (FitResult& r : c.models) r.score = r.score_se = NAN, r.rank = 0;
+  EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("nan")));
+}
+
+TEST(DescribeText, SaysWhatIsThereAndWhatIsSuspicious) {
+  Summary s{};
+  s.tracks = 152;
+  s.speed = {1000, 213, 98, 1, 40, 200, 400, 900};
+  s.milling.median = NAN;
+  s.localisation.samples = 100;
+  s.localisation.jerk_share = 0.78;
+  s.suspicions = {{"identity jump", "2 steps are longer than 20 median steps", "track 12, frame 340"}};
+  TrackMeta meta;
+  meta.dt = 0.01;
+  meta.unit = "mm";
+  meta.from.path = "swarm.txt";
+  const std::string text = describe_text(meta, s, {});
+  EXPECT_THAT(text, HasSubstr("100.0 Hz"));
+  EXPECT_THAT(text, HasSubstr("78 % of the jerk"));
+  EXPECT_THAT(text, HasSubstr("identity jump: 2 steps are longer than 20 median steps (track 12, frame 340)"));
+  EXPECT_THAT(text, Not(HasSubstr("nan")));
+  EXPECT_TRUE(is_ascii(describe_text(meta, s, {.colour = false, .unicode = false})));
+}
+
+TEST(EvaluationText, ShowsBothSides) {
+  const Comparison c = sample_comparison();
+  Evaluation e;
+  e.real.from.path = "real.csv";
+  e.simulated.from.path = "sim.csv";
+  e.real.unit = "mm";
+  e.raw_energies = c.models[0].raw_energies;
+  e.real_distribution = c.recording;
+  e.simulated_distribution = c.models[0].distributions;
+  const std::string text = evaluation_text(e, {});
+  EXPECT_THAT(text, HasSubstr("Cartesian jerk"));
+  EXPECT_THAT(text, HasSubstr("1.04"));
+  EXPECT_LE(widest(text), 110u);
+}
+
+TEST(WeightsText, OneRowPerModel) {
+  WeighedTable t{{"A", "B"}, {"v", "a"}, Eigen::MatrixXd(2, 2), {}, {1, 0.5}};
+  t.energies << 0.5, 1, 2, 3;
+  t.weighting = {{0.25, 0.75}, {0.5, 1}, {1.5, 2}, {0, 0}};
+  EXPECT_EQ(weights_text(t, {}),
+            " model    score       v       a\n A       1.0000  0.5000   1.000\n B       0.5000   2.000   3.000\n"
+            " weight           0.2500  0.7500\n");
+}
+
+TEST(ListText, AlignsNames) {
+  const std::string text = list_text({{"boids", "Flocking", {{"options", "rule=zonal|reynolds"}}}, {"bswarm", "Insects", {}}}, {});
+  EXPECT_EQ(text, " boids   Flocking\n         options: rule=zonal|reynolds\n bswarm  Insects\n");
+}
+
+TEST(Wrapped, BreaksAtSpacesOnly) {
+  EXPECT_EQ(wrapped("aa bb cc", 5, "  "), "aa bb\n  cc");
+  EXPECT_EQ(wrapped("unbreakable", 3), "unbreakable");
+  EXPECT_EQ(wrapped("", 3), "");
+}
+
+}  // namespace
+}  // namespace swarmfit
