@@ -1,23 +1,148 @@
 // SPDX-License-Identifier: MIT
 #include "libswarm/neighbours.h"
 
-namespace swarmfit {
+#include <utility>
 
-void Neighbours::build(const Rows& pos, const Bounds& bounds, double radius, Method) {
-  const auto n = static_cast<std::size_t>(pos.rows());
+namespace swarmfit {
+namespace {
+
+constexpr double kPerCell = 4;        // agents per cell that a search aims at
+constexpr double kMargin = 1e-9;      // of a cell: an agent may lie outside its cell by rounding
+constexpr double kCellsPerAgent = 2;  // more cells than this cost more to clear than they save
+
+}  // namespace
+
+void Neighbours::build(const Rows& pos, const Bounds& bounds, double radius, Method method) {
   radius_ = radius;
-  for (Index axis = 0; axis < 3; ++axis) {
-    const double width = bounds.kind == Bounds::Kind::periodic ? bounds.upper[axis] - bounds.lower[axis] : 0;
-    period_[axis] = width;
-    half_[axis] = width > 0 ? width / 2 : std::numeric_limits<double>::infinity();
-  }
+  periodic_ = bounds.kind == Bounds::Kind::periodic;
+  all_pairs_ = method == Method::all_pairs || (method == Method::automatic && pos.rows() < kAllPairsBelow);
+  const auto n = static_cast<std::size_t>(pos.rows());
   row_.resize(n);
   slot_.resize(n);
   for (auto& x : x_) x.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    row_[i] = slot_[i] = static_cast<Index>(i);
-    for (std::size_t axis = 0; axis < 3; ++axis) x_[axis][i] = pos(static_cast<Index>(i), static_cast<Index>(axis));
+  lay_grid(pos, bounds);
+  sort_into_cells(pos);
+}
+
+// Cells no wider than the radius, with about kPerCell agents in each, and never so many that clearing them dominates: a lone stray far
+// away makes the cells wider, not more.
+void Neighbours::lay_grid(const Rows& pos, const Bounds& bounds) {
+  std::array<double, 3> extent{};
+  double volume = 1;
+  int directions = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto column = static_cast<Index>(k);
+    const double width = periodic_ ? bounds.upper[column] - bounds.lower[column] : 0;
+    axes_[k] = {.low = bounds.lower[column], .period = width};
+    if (all_pairs_ || pos.rows() == 0) continue;
+    double low = pos(0, column), high = low;
+    for (Index i = 1; i < pos.rows(); ++i) {
+      low = std::min(low, pos(i, column));
+      high = std::max(high, pos(i, column));
+    }
+    if (width <= 0) axes_[k].low = low;
+    extent[k] = width > 0 ? width : high - low;
+    if (extent[k] > 0) {
+      volume *= extent[k];
+      ++directions;
+    }
   }
+  if (all_pairs_ || directions == 0) return;
+  const auto n = static_cast<double>(pos.rows());
+  const auto cells = [&](std::size_t k, double edge) { return std::max(1.0, std::floor(extent[k] / edge)); };
+  double edge = std::min(radius_, std::pow(volume * kPerCell / n, 1.0 / directions));
+  if (!(edge > 0)) edge = *std::max_element(extent.begin(), extent.end());
+  while (cells(0, edge) * cells(1, edge) * cells(2, edge) > kCellsPerAgent * n + 64) edge *= 1.25;
+  for (std::size_t k = 0; k < 3; ++k) {
+    axes_[k].cells = static_cast<Index>(cells(k, edge));
+    if (extent[k] > 0) axes_[k].edge = extent[k] / static_cast<double>(axes_[k].cells);
+  }
+}
+
+// Counting sort by cell; agents of one cell keep the order of their rows.
+void Neighbours::sort_into_cells(const Rows& pos) {
+  const auto n = static_cast<std::size_t>(pos.rows());
+  const auto place = [&](std::size_t i, std::size_t k) {
+    const double x = pos(static_cast<Index>(i), static_cast<Index>(k)), width = axes_[k].period;
+    return width > 0 ? x - width * std::floor((x - axes_[k].low) / width) : x;
+  };
+  if (all_pairs_) {
+    for (std::size_t i = 0; i < n; ++i) row_[i] = slot_[i] = static_cast<Index>(i);
+  } else {
+    cell_.resize(n);
+    cell_first_.assign(static_cast<std::size_t>(axes_[0].cells * axes_[1].cells * axes_[2].cells) + 1, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index cx = axes_[0].clamped(place(i, 0)), cy = axes_[1].clamped(place(i, 1)), cz = axes_[2].clamped(place(i, 2));
+      cell_[i] = (cz * axes_[1].cells + cy) * axes_[0].cells + cx;
+      ++cell_first_[static_cast<std::size_t>(cell_[i])];
+    }
+    Index total = 0;
+    for (Index& first : cell_first_) total += std::exchange(first, total);
+    for (std::size_t i = 0; i < n; ++i) {
+      slot_[i] = cell_first_[static_cast<std::size_t>(cell_[i])]++;
+      row_[static_cast<std::size_t>(slot_[i])] = static_cast<Index>(i);
+    }
+    for (std::size_t c = cell_first_.size() - 1; c > 0; --c) cell_first_[c] = cell_first_[c - 1];
+    cell_first_[0] = 0;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < n; ++i) x_[k][static_cast<std::size_t>(slot_[i])] = place(i, k);
+}
+
+Neighbours::Span Neighbours::span(const Axis& axis, double x, double reach) const {
+  const double margin = kMargin * axis.edge;
+  if (axis.period <= 0) return {axis.clamped(x - reach - margin), axis.clamped(x + reach + margin), false};
+  const double first = axis.cell(x - reach - margin), last = axis.cell(x + reach + margin);
+  if (last - first + 1 >= static_cast<double>(axis.cells)) return {0, axis.cells - 1, true};
+  return {static_cast<Index>(first), static_cast<Index>(last), false};
+}
+
+// Distance from x to a cell's nearer face; 0 inside, and 0 rather than a rounding error too much.
+double Neighbours::gap(const Axis& axis, Index cell, double x) {
+  const double low = axis.low + static_cast<double>(cell) * axis.edge;
+  return std::max({0.0, low - x, x - low - axis.edge}) * (1 - kMargin);
+}
+
+// Everybody but i nearer than `radius`, in slot order.
+Index Neighbours::gather(Index i, double radius, Scratch& scratch) const {
+  const Index self = slot(i);
+  std::vector<Found>& found = scratch.found;
+  std::size_t count = 0;
+  for_each_run(i, radius, [&](Index first, Index end) {
+    const std::size_t room = count + static_cast<std::size_t>(end - first);
+    if (found.size() < room) found.resize(std::max(room, 2 * found.size()));
+    for (Index s = first; s < end; ++s) {
+      const Eigen::Array3d d = offset(self, s);
+      const double d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+      found[count] = {d2, s};  // written always, kept only by the count: no branch to mispredict
+      count += static_cast<std::size_t>((d2 < radius * radius) & (s != self));
+    }
+  });
+  return static_cast<Index>(count);
+}
+
+std::span<const Neighbours::Found> Neighbours::nearest(Index i, std::size_t k, double radius, double& hint, Scratch& scratch) const {
+  // Search spheres that grow until they hold k.
+  double reach = hint > 0 ? std::min(1.1 * hint, radius) : radius;
+  if (hint <= 0 && !all_pairs_) {
+    const auto c = static_cast<std::size_t>(cell_[static_cast<std::size_t>(i)]);
+    const auto here = static_cast<double>(cell_first_[c + 1] - cell_first_[c]);
+    const double edge = std::max({axes_[0].edge, axes_[1].edge, axes_[2].edge});
+    reach = std::min(radius, edge * std::cbrt(static_cast<double>(k) / here));
+  }
+  auto count = static_cast<std::size_t>(gather(i, reach, scratch));
+  while (count < k && reach < radius) {
+    reach = std::min(1.5 * reach, radius);
+    count = static_cast<std::size_t>(gather(i, reach, scratch));
+  }
+  const auto closer = [this](const Found& a, const Found& b) {
+    return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : row(a.slot) < row(b.slot);
+  };
+  const auto first = scratch.found.begin();
+  const std::size_t kept = std::min(k, count);
+  std::partial_sort(first, first + static_cast<std::ptrdiff_t>(kept), first + static_cast<std::ptrdiff_t>(count), closer);
+  hint = kept == k && k > 0 ? std::sqrt(scratch.found[k - 1].distance2) : radius;
+  return {scratch.found.data(), kept};
 }
 
 }  // namespace swarmfit

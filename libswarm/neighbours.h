@@ -2,9 +2,9 @@
 // Who is near whom. A cell grid for a fixed radius, all pairs for small groups (faster there, and the oracle of the tests), k nearest.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,57 +19,124 @@ namespace swarmfit {
 //   near.visit(i, [&](Index j, const Eigen::Array3d& offset, double distance) { ... });
 //
 // Positions are copied in the order of their cells, so that neighbours in space are neighbours in memory. A place in that order is a slot.
+// In a periodic box everybody is met once, at the nearest image, also when the radius exceeds half the box.
 class Neighbours {
  public:
   enum class Method { automatic, all_pairs, grid };
 
-  // automatic: all pairs below this many agents. Measured (bench/neighbours_bench.cpp); depends on nothing but the number of agents, so
-  // that the order of summation, and with it the last bits, never depends on where the agents are.
+  // automatic: all pairs below this many agents, where they beat the grid (bench/simulate_bench.cpp). Depends on nothing but the number of
+  // agents, so that the order of summation, and with it the last bits, is the same wherever the agents are.
   static constexpr Index kAllPairsBelow = 400;
 
   struct Found {
     double distance2;  // squared distance [unit²]
-    Index row;
-    Eigen::Array3d offset;  // separation(i, row)
+    Index slot;
+  };
+  // What one thread needs for `nearest`; reused from call to call.
+  struct Scratch {
+    std::vector<Found> found;
   };
 
+  // Positions must be finite.
   void build(const Rows& pos, const Bounds& bounds, double radius, Method method = Method::automatic);
 
   // Reports every j != i with |offset| < radius, offset = separation(i, j), in an order that depends only on the positions.
   template <class Visit>
   void visit(Index i, Visit&& visit) const {
-    const Index self = slot_[static_cast<std::size_t>(i)];
-    const Eigen::Array3d at = position(self);
-    for_each_run(self, [&](Index first, Index end) {
+    const Index self = slot(i);
+    for_each_run(i, radius_, [&](Index first, Index end) {
       for (Index s = first; s < end; ++s) {
-        const Eigen::Array3d offset = shortest(position(s) - at);
-        const double d2 = offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2];
-        if (d2 < radius_ * radius_ && s != self) visit(row_[static_cast<std::size_t>(s)], offset, std::sqrt(d2));
+        const Eigen::Array3d between = offset(self, s);
+        const double d2 = between[0] * between[0] + between[1] * between[1] + between[2] * between[2];
+        if (d2 < radius_ * radius_ && s != self) visit(row(s), between, std::sqrt(d2));
       }
     });
   }
 
- private:
+  // For kernels that do their own distance test: run(first, end) is called for ranges of slots that together hold everybody nearer to i
+  // than `radius`, i itself, and others besides; no slot twice.
   template <class Run>
-  void for_each_run(Index /*self*/, Run&& run) const {
-    run(Index{0}, size());
-  }
+  void for_each_run(Index i, double radius, Run&& run) const;
+
+  // The at most k nearest with distance < radius, ascending; equal distances by row. `hint` is a guess of the distance of the k-th and
+  // becomes that distance: last step's makes the search fast, a wrong or zero one costs only time. Valid until the scratch is used again.
+  std::span<const Found> nearest(Index i, std::size_t k, double radius, double& hint, Scratch& scratch) const;
+
   Index size() const { return static_cast<Index>(row_.size()); }
-  Eigen::Array3d position(Index s) const {
-    return {x_[0][static_cast<std::size_t>(s)], x_[1][static_cast<std::size_t>(s)], x_[2][static_cast<std::size_t>(s)]};
-  }
-  Eigen::Array3d shortest(Eigen::Array3d d) const {
-    for (Index axis = 0; axis < 3; ++axis) {
-      if (d[axis] > half_[axis]) d[axis] -= period_[axis];
-      if (d[axis] < -half_[axis]) d[axis] += period_[axis];
-    }
-    return d;
+  Index row(Index slot) const { return row_[static_cast<std::size_t>(slot)]; }
+  Index slot(Index row) const { return slot_[static_cast<std::size_t>(row)]; }
+  const double* coordinate(std::size_t axis) const { return x_[axis].data(); }  // by slot
+
+  bool periodic() const { return periodic_; }
+  double period(std::size_t axis) const { return axes_[axis].period; }
+
+  // separation(a, b) of two slots.
+  Eigen::Array3d offset(Index a, Index b) const {
+    const auto along = [&](std::size_t axis) {
+      const double d = x_[axis][static_cast<std::size_t>(b)] - x_[axis][static_cast<std::size_t>(a)];
+      return periodic_ ? shortest(d, axes_[axis].period) : d;
+    };
+    return {along(0), along(1), along(2)};
   }
 
+  // The shorter way round of two places in [0, period); period 0: no wrapping.
+  static double shortest(double d, double period) {
+    const double half = 0.5 * period;
+    return d > half ? d - period : (d < -half ? d + period : d);
+  }
+
+ private:
+  // Cells along one axis: cell c covers low + [c, c + 1) · edge.
+  struct Axis {
+    double low = 0, period = 0, edge = 1;
+    Index cells = 1;
+    double cell(double x) const { return std::floor((x - low) / edge); }
+    Index clamped(double x) const { return static_cast<Index>(std::clamp(cell(x), 0.0, static_cast<double>(cells - 1))); }
+  };
+  // Cells first .. last of an axis that come within reach of x; they may lie outside 0 .. cells-1 and wrap around.
+  struct Span {
+    Index first, last;
+    bool all;
+  };
+  Span span(const Axis& axis, double x, double reach) const;
+  static double gap(const Axis& axis, Index cell, double x);
+  static Index wrapped(Index cell, Index cells) { return cell < 0 ? cell + cells : (cell >= cells ? cell - cells : cell); }
+  Index gather(Index i, double radius, Scratch& scratch) const;
+  void lay_grid(const Rows& pos, const Bounds& bounds);
+  void sort_into_cells(const Rows& pos);
+
   double radius_ = 0;
-  Eigen::Array3d period_ = Eigen::Array3d::Zero(), half_ = Eigen::Array3d::Zero();
-  std::array<std::vector<double>, 3> x_;
-  std::vector<Index> row_, slot_;
+  bool periodic_ = false, all_pairs_ = true;
+  std::array<Axis, 3> axes_;
+  std::array<std::vector<double>, 3> x_;  // by slot
+  std::vector<Index> row_, slot_;         // row of a slot, slot of a row
+  std::vector<Index> cell_, cell_first_;  // cell of a row; first slot of a cell
 };
+
+template <class Run>
+void Neighbours::for_each_run(Index i, double radius, Run&& run) const {
+  if (all_pairs_) return run(Index{0}, size());
+  const auto self = static_cast<std::size_t>(slot(i));
+  const double x = x_[0][self], y = x_[1][self], z = x_[2][self];
+  const auto cells = [&](Index begin, Index end) {  // cells begin .. end of one row along x are contiguous
+    const Index first = cell_first_[static_cast<std::size_t>(begin)], last = cell_first_[static_cast<std::size_t>(end + 1)];
+    if (first < last) run(first, last);
+  };
+  const Span zs = span(axes_[2], z, radius), ys = span(axes_[1], y, radius);
+  for (Index cz = zs.first; cz <= zs.last; ++cz) {
+    const double dz = zs.all ? 0 : gap(axes_[2], cz, z);
+    for (Index cy = ys.first; cy <= ys.last; ++cy) {
+      const double dy = ys.all ? 0 : gap(axes_[1], cy, y);
+      const double rest = radius * radius - dz * dz - dy * dy;
+      if (rest < 0) continue;
+      const Index nx = axes_[0].cells;
+      const Index base = (wrapped(cz, axes_[2].cells) * axes_[1].cells + wrapped(cy, axes_[1].cells)) * nx;
+      const Span xs = span(axes_[0], x, std::sqrt(rest));
+      if (xs.first < 0) cells(base + xs.first + nx, base + nx - 1);
+      cells(base + std::max<Index>(xs.first, 0), base + std::min(xs.last, nx - 1));
+      if (xs.last >= nx) cells(base, base + xs.last - nx);
+    }
+  }
+}
 
 }  // namespace swarmfit

@@ -41,7 +41,7 @@ class Boids : public Model {
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
     c.near.build(now.pos, world.bounds, c.p[kRadius]);
     const double speed = c.p[kSpeed];
-    for_each_agent(now.size(), [&](Index i) {
+    for_each_agent(now.size(), [&](Index i, std::size_t) {
       const Array3d before = now.vel.row(i).transpose();
       Array3d heading = unit(before + speed / c.p[kTau] * c.dt * steering(now, i, c));
       if ((heading == 0).all()) heading = at_rest(now, i, c);

@@ -8,31 +8,46 @@
 //   dv/dt  = F_int + F_fric + F_res + F_noise                                                                       (2, 3)
 //   F_int  = sum over zones k of  chi_k / N_k · sum over j in zone k of  g rhat + (1 - |g|) vhat                     (5)
 //            rhat: unit vector from i to j; vhat: unit vector of v_j - v_i; N_k: neighbours in the zone; empty zone: 0
-//            repulsion   g = -1   0                  <= r <  r_rep
-//            alignment   g =  0   r_rep              <= r <  r_rep + r_ali*
-//            attraction  g = +1   r_rep + r_ali*     <= r <= r_rep + r_ali* + r_att*
+//            repulsion   g = -1   0              <= r <  r_rep
+//            alignment   g =  0   r_rep          <= r <  r_rep + r_ali*
+//            attraction  g = +1   r_rep + r_ali* <= r <= r_rep + r_ali* + r_att*
 //   F_fric = -gamma |v| v
+//   F_res  = chi_res (R(theta) s or -s) for the nearest stimulus within r_res, s the unit vector from it to the agent: flight from a
+//            repelling one at an angle theta, uniform on [-pi/2, 0] about the y axis (in two dimensions z) and drawn once per encounter;
+//            straight to an attracting one
 //   F_noise: option `noise`, below
 //   v_pref = v + F dt;  v = collision-free velocity nearest to v_pref;  r = r + v dt       (Algorithm 1; synchronous, semi-implicit Euler)
 //
 // Radii are stored as the widths of the zones' shells (starred), so that r_att >= r_ali >= r_rep >= 0 holds by construction.
+// The printed equations collapse the swarm of Table 1 to a clump whose size is set by the avoidance radius alone, which the paper does not
+// give: report nearest-neighbour distances with every result.
 //
-//   noise     curl      noise · curl P(r / scale), a field fixed in space: agents at one place feel the same force; noise = gain / scale
-//             perlin    noise · P(r / scale); noise = gain
-//             white     lambda · W, W uniform on [-1, 1) per component, new for each agent and step
-//             gaussian  lambda · G, G standard normal
-//             none      0
-//   noise_scaling  sde: white and Gaussian forces are divided by sqrt(dt), so that diffusion does not depend on dt; literal: as printed
-//   interaction    off: F_int = 0 (the paper's "noise only")
-//   drag           implicit: v_pref = (v + F' dt) / (1 + gamma |v| dt), stable for any step
-//   align          soft: vhat shrinks with the difference of velocities once that is below chi_ali dt, which stops chatter
-//   offset         per_agent: every agent has a noise field of its own
+// Options (first value: default)
+//   noise          curl      noise · curl P(r / scale), fixed in space: agents at one place feel the same force; noise = gain / scale
+//                  perlin    noise · P(r / scale); noise = gain
+//                  gaussian  lambda · G, G standard normal per component, new for each agent and step
+//                  white     lambda · W, W uniform on [-1, 1) per component, likewise
+//                  none      0
+//   interaction    on | off: F_int = 0 (the paper's "noise only")
+//   avoidance      orca | none
+//   infeasible     when no velocity is free of collisions: zero velocity | substep: redo the step in halves, thrice at most, then zero |
+//                  min_penetration: the least bad velocity
+//   drag           explicit | implicit: v_pref = (v + F' dt) / (1 + gamma |v| dt), stable for any step. The explicit step is halved while
+//                  gamma |v| dt > 1 for anybody
+//   noise_scaling  sde: white and Gaussian forces are divided by sqrt(dt), so that diffusion does not depend on dt | literal: as printed
+//   align          literal | soft: vhat shrinks with the difference of velocities below chi_ali dt, which stops chatter
+//   offset         shared | per_agent: every agent has a noise field of its own
+//   response       one: everybody veers to the same side, as printed | both: sides are drawn
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "libswarm/avoidance.h"
 #include "libswarm/model.h"
 #include "libswarm/noise.h"
 #include "libswarm/parallel.h"
+#include "libswarm/stimuli.h"
+#include "libswarm/zones.h"
 
 namespace swarmfit {
 namespace {
@@ -40,25 +55,50 @@ namespace {
 using Eigen::Array3d;
 
 // Rows of the parameter table, in its order.
-enum Row : std::size_t { kGamma, kNoise, kScale, kLambda, kLambdaLiteral, kChiRep, kChiAtt, kRRep, kRAtt, kChiAli, kRAli };
+enum Row : std::size_t {
+  kGamma,
+  kNoise,
+  kScale,
+  kLambda,
+  kLambdaLiteral,
+  kChiRep,
+  kChiAtt,
+  kRRep,
+  kRAtt,
+  kChiAli,
+  kRAli,
+  kChiRes,
+  kRRes,
+  kRadius,
+  kMaxSpeed,
+  kTimeHorizon,
+  kNeighbourDistance,
+  kMaxNeighbours
+};
 
-enum class Noise { curl, perlin, gaussian, white, none };
+// Private columns: the stimulus being met (its index + 1; 0: none), and the angle drawn for it.
+enum Column : Index { kStimulus, kTheta };
 
 const std::vector<Option>& option_table() {
   static const std::vector<Option> table{
       {"noise", {"curl", "perlin", "gaussian", "white", "none"}, "random force"},
       {"interaction", {"on", "off"}, "repulsion, alignment and attraction between agents"},
+      {"avoidance", {"orca", "none"}, "reciprocal collision avoidance"},
+      {"infeasible", {"zero", "substep", "min_penetration"}, "what to do when every velocity leads to a collision"},
       {"drag", {"explicit", "implicit"}, "how the quadratic drag is stepped"},
       {"noise_scaling", {"sde", "literal"}, "white and Gaussian noise: independent of the time step, or as printed"},
       {"align", {"literal", "soft"}, "alignment force: constant magnitude, or fading with the difference of velocities"},
       {"offset", {"shared", "per_agent"}, "one noise field for all, or one for each agent"},
+      {"response", {"one", "both"}, "flight from a stimulus: to one side, or to either"},
   };
   return table;
 }
 
 const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
+  constexpr std::string_view field = "noise=curl|perlin", on = "interaction=on", orca = "avoidance=orca";
   static const std::vector<Parameter> table{
+      // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source
       {"gamma", "γ", {-1, 0}, {11.16, 0.1, 20}, {1.5, 0.1, 20}, extent, true, true, "", "quadratic drag", "Eq 3; Table 1 Midge"},
       {"noise",
        "gain/scale",
@@ -68,7 +108,7 @@ const std::vector<Parameter>& parameter_table() {
        extent,
        false,
        true,
-       "noise=curl|perlin",
+       field,
        "strength of the noise force (gain for Perlin noise)",
        "Eq 4; Table 1 Midge"},
       {"scale",
@@ -79,7 +119,7 @@ const std::vector<Parameter>& parameter_table() {
        extent,
        true,
        true,
-       "noise=curl|perlin",
+       field,
        "feature size of the noise field",
        "Eq 4; Table 1 Midge"},
       {"lambda",
@@ -91,8 +131,8 @@ const std::vector<Parameter>& parameter_table() {
        false,
        true,
        "noise=white|gaussian,noise_scaling=sde",
-       "intensity of the random force, per square root of time",
-       "Eq 4"},
+       "intensity of the random force",
+       "Eq 4; force times the square root of time"},
       {"lambda_literal",
        "λ",
        {1, -2},
@@ -102,21 +142,11 @@ const std::vector<Parameter>& parameter_table() {
        false,
        true,
        "noise=white|gaussian,noise_scaling=literal",
-       "amplitude of the random force, redrawn each step",
+       "amplitude of the random force, as printed",
        "Eq 4"},
-      {"chi_rep", "χ_rep", {1, -2}, {5.61, 0, 30}, {5, 0, 20}, extent, false, true, "interaction=on", "repulsion", "Eq 5; Table 1 Midge"},
-      {"chi_att", "χ_att", {1, -2}, {14.29, 0, 40}, {5, 0, 20}, extent, false, true, "interaction=on", "attraction", "Eq 5; Table 1 Midge"},
-      {"r_rep",
-       "r_rep",
-       {1, 0},
-       {0.17, 0, 8},
-       {0.5, 0, 3},
-       spacing,
-       false,
-       true,
-       "interaction=on",
-       "radius of repulsion",
-       "Eq 5; Table 1 Midge"},
+      {"chi_rep", "χ_rep", {1, -2}, {5.61, 0, 30}, {5, 0, 20}, extent, false, true, on, "repulsion", "Eq 5; Table 1 Midge"},
+      {"chi_att", "χ_att", {1, -2}, {14.29, 0, 40}, {5, 0, 20}, extent, false, true, on, "attraction", "Eq 5; Table 1 Midge"},
+      {"r_rep", "r_rep", {1, 0}, {0.17, 0, 8}, {0.5, 0, 3}, spacing, false, true, on, "radius of repulsion", "Eq 5; Table 1 Midge"},
       {"r_att",
        "r_att*",
        {1, 0},
@@ -125,28 +155,96 @@ const std::vector<Parameter>& parameter_table() {
        spacing,
        false,
        true,
-       "interaction=on",
+       on,
        "width of the shell of attraction",
        "Eq 5; Table 1 Midge"},
-      {"chi_ali", "χ_ali", {1, -2}, {0, 0, 20}, {0, 0, 20}, extent, false, false, "interaction=on", "alignment", "Eq 5; Table 1 Midge"},
+      {"chi_ali", "χ_ali", {1, -2}, {0, 0, 20}, {0, 0, 20}, extent, false, false, on, "alignment", "Eq 5; Table 1 Midge"},
       {"r_ali",
        "r_ali*",
        {1, 0},
        {0, 0, 12},
-       {0, 0, 5},
+       {0, 0, 10},
        spacing,
        false,
        false,
-       "interaction=on",
+       on,
        "width of the shell of alignment",
        "Eq 5; Table 1 Midge"},
+      {"chi_res", "χ_res", {1, -2}, {0, 0, 60}, {0, 0, 60}, extent, false, false, "", "response to stimuli", "Eq 3; Table 1 Midge"},
+      {"r_res", "r_res", {1, 0}, {0, 0, 25}, {0, 0, 25}, extent, false, false, "", "range of sight for stimuli", "Eq 3; Table 1 Midge"},
+      {"radius",
+       "r",
+       {1, 0},
+       {0.07, 0.001, 1},
+       {0.05, 0.01, 1},
+       spacing,
+       true,
+       true,
+       orca,
+       "radius of an agent for avoidance",
+       "our choice; the fits of the avoidance baseline, Tables S17-S20, give 0.063-0.078"},
+      {"max_speed",
+       "v_max",
+       {1, -1},
+       {10, 0.1, 1000},
+       {50, 1, 1000},
+       extent,
+       true,
+       false,
+       orca,
+       "highest speed; must not clip v_pref",
+       "our choice"},
+      {"time_horizon",
+       "τ",
+       {0, 1},
+       {0.5, 0.01, 10},
+       {0.5, 0.01, 10},
+       extent,
+       true,
+       false,
+       orca,
+       "for how long collisions are avoided",
+       "our choice"},
+      {"neighbour_distance",
+       "d_max",
+       {1, 0},
+       {0, 0, 40},
+       {0, 0, 40},
+       spacing,
+       false,
+       false,
+       orca,
+       "range of avoidance; 0: ten times the radius",
+       "our choice; Table S17 0.4022"},
+      {"max_neighbours",
+       "k",
+       {0, 0},
+       {10, 1, 100},
+       {10, 1, 100},
+       extent,
+       false,
+       false,
+       orca,
+       "most neighbours avoided at once",
+       "Table S17 10.6",
+       true},
   };
   return table;
 }
 
-struct NoiseWorkspace : Workspace {
-  explicit NoiseWorkspace(const Rng& rng) : field(rng) {}
+// Noise tables, and what avoidance needs to find neighbours without allocating.
+struct Buffers : Workspace {
+  explicit Buffers(const Rng& rng) : field(rng), threads(agent_threads()) {}
+
+  struct PerThread {
+    Neighbours::Scratch nearest;
+    std::vector<HalfSpace> allowed, scratch;
+    std::uint64_t infeasible = 0;
+  };
   NoiseField field;
+  Neighbours around;         // for avoidance
+  std::vector<double> hint;  // distance of the last neighbour found, by row
+  std::vector<PerThread> threads;
 };
 
 class Bswarm : public Model {
@@ -154,49 +252,95 @@ class Bswarm : public Model {
   explicit Bswarm(const Setup& setup)
       : dims_(setup.dims),
         noise_(parse_noise(setup.options.at("noise"))),
+        infeasible_(parse_infeasible(setup.options.at("infeasible"))),
         interaction_(setup.options.at("interaction") == "on"),
+        avoidance_(setup.options.at("avoidance") == "orca"),
         implicit_drag_(setup.options.at("drag") == "implicit"),
         sde_(setup.options.at("noise_scaling") == "sde"),
         soft_alignment_(setup.options.at("align") == "soft"),
-        per_agent_offset_(setup.options.at("offset") == "per_agent") {}
+        per_agent_offset_(setup.options.at("offset") == "per_agent"),
+        both_sides_(setup.options.at("response") == "both") {}
 
-  std::unique_ptr<Workspace> workspace(const World&, const Rng& rng) const override { return std::make_unique<NoiseWorkspace>(rng); }
+  Index columns() const override { return 2; }
+  std::unique_ptr<Workspace> workspace(const World&, const Rng& rng) const override { return std::make_unique<Buffers>(rng); }
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
     if (!implicit_drag_ && c.can_halve && too_fast(now, c)) return Step::halve_dt;
-    if (interaction_) c.near.build(now.pos, world.bounds, reach(c));
-    for_each_agent(now.size(), [&](Index i) {
-      const Array3d v = now.vel.row(i).transpose();
+    Buffers& buffers = *static_cast<Buffers*>(c.work);
+    prepare(now, world, c, buffers);
+    const auto* stimuli = c.p[kChiRes] > 0 ? world.part<Stimuli>() : nullptr;
+    for_each_agent(now.size(), [&](Index i, std::size_t thread) {
       Array3d force = noise(now, i, c);
       if (interaction_) force += interaction(now, i, c);
-      const double drag = c.p[kGamma] * std::sqrt(v.square().sum());
-      const Array3d preferred = implicit_drag_ ? Array3d((v + force * c.dt) / (1 + drag * c.dt)) : Array3d(v + (force - drag * v) * c.dt);
-      next.vel.row(i) = preferred.transpose();
-      next.pos.row(i) = now.pos.row(i) + preferred.transpose() * c.dt;
+      if (stimuli) force += response(now, next, i, *stimuli, world.bounds, c);
+      Array3d v = preferred(now.vel.row(i).transpose(), force, c);
+      if (avoidance_) v = avoid(now, i, v, c, buffers, buffers.threads[thread]);
+      for (Index axis = 0; axis < 3; ++axis) {
+        next.vel(i, axis) = v[axis];
+        next.pos(i, axis) = now.pos(i, axis) + v[axis] * c.dt;
+      }
     });
-    return Step::done;
+    return finish(c, buffers);
   }
 
  private:
+  enum class Noise { curl, perlin, gaussian, white, none };
+  enum class Infeasible { zero, substep, min_penetration };
+
   static Noise parse_noise(std::string_view name) {
     if (name == "curl") return Noise::curl;
     if (name == "perlin") return Noise::perlin;
     if (name == "gaussian") return Noise::gaussian;
     return name == "white" ? Noise::white : Noise::none;
   }
-
-  static double reach(const StepContext& c) {
-    const double r = c.p[kRRep] + c.p[kRAli] + c.p[kRAtt];
-    return std::nextafter(r, 2 * r + 1);  // r <= r_att is inside, by Eq 5
+  static Infeasible parse_infeasible(std::string_view name) {
+    if (name == "substep") return Infeasible::substep;
+    return name == "zero" ? Infeasible::zero : Infeasible::min_penetration;
   }
 
   // The explicit drag step reverses the motion of anybody with gamma |v| dt > 1.
   static bool too_fast(const State& now, const StepContext& c) {
     const double limit = 1 / (c.p[kGamma] * c.dt);
-    return (now.vel.square().rowwise().sum() > limit * limit).any();
+    double fastest2 = 0;
+    for (Index i = 0; i < now.size(); ++i) {
+      const double vx = now.vel(i, 0), vy = now.vel(i, 1), vz = now.vel(i, 2);
+      fastest2 = std::max(fastest2, vx * vx + vy * vy + vz * vz);
+    }
+    return fastest2 > limit * limit;
+  }
+
+  static double neighbour_distance(const StepContext& c) {
+    return c.p[kNeighbourDistance] > 0 ? c.p[kNeighbourDistance] : 10 * c.p[kRadius];
+  }
+
+  void prepare(const State& now, const World& world, const StepContext& c, Buffers& buffers) const {
+    if (interaction_) {
+      const double reach = c.p[kRRep] + c.p[kRAli] + c.p[kRAtt];
+      c.near.build(now.pos, world.bounds, reach);
+    }
+    if (!avoidance_) return;
+    buffers.around.build(now.pos, world.bounds, neighbour_distance(c), Neighbours::Method::grid);
+    buffers.hint.resize(static_cast<std::size_t>(now.size()), 0.0);
+    for (auto& thread : buffers.threads) thread.infeasible = 0;
+  }
+
+  Step finish(const StepContext& c, const Buffers& buffers) const {
+    std::uint64_t infeasible = 0;
+    for (const auto& thread : buffers.threads) infeasible += thread.infeasible;
+    if (infeasible > 0 && infeasible_ == Infeasible::substep && c.can_halve) return Step::halve_dt;
+    c.count.infeasible_avoidance += infeasible;
+    return Step::done;
+  }
+
+  Array3d preferred(const Array3d& v, const Array3d& force, const StepContext& c) const {
+    const double drag = c.p[kGamma] * std::sqrt(v.square().sum());
+    if (implicit_drag_) return (v + force * c.dt) / (1 + drag * c.dt);
+    return v + (force - drag * v) * c.dt;
   }
 
   Array3d flat(const Array3d& f) const { return dims_ == 2 ? Array3d(f[0], f[1], 0) : f; }
+
+  // ---- Eq 4 ---------------------------------------------------------------------------------------------------------------------
 
   Array3d noise(const State& now, Index i, const StepContext& c) const {
     const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
@@ -211,7 +355,7 @@ class Bswarm : public Model {
       case Noise::perlin:
         break;
     }
-    const NoiseField& field = static_cast<const NoiseWorkspace*>(c.work)->field;
+    const NoiseField& field = static_cast<const Buffers*>(c.work)->field;
     Array3d x = now.pos.row(i).transpose() / c.p[kScale];
     if (per_agent_offset_) x += offset_of(c.rng, id);
     if (noise_ == Noise::perlin) return flat(c.p[kNoise] * field.potential(x));
@@ -225,41 +369,105 @@ class Bswarm : public Model {
     return 256 * Array3d(xy[0], xy[1], rng.uniform(Stream::noise_table, 2, id, 1));
   }
 
-  // Eq 5.
+  // ---- Eq 5 ---------------------------------------------------------------------------------------------------------------------
+
   Array3d interaction(const State& now, Index i, const StepContext& c) const {
-    const double r_rep = c.p[kRRep], r_ali = r_rep + c.p[kRAli];
-    Array3d away = Array3d::Zero(), along = Array3d::Zero(), toward = Array3d::Zero();
-    int n_rep = 0, n_ali = 0, n_att = 0;
-    c.near.visit(i, [&](Index j, const Array3d& offset, double r) {
-      const Array3d direction = r < 1e-9 ? tie_break(now, i, c) : Array3d(offset / r);
-      if (r < r_rep) {
-        away -= direction;
-        ++n_rep;
-      } else if (r < r_ali) {
-        along += aligned(now.vel.row(j).transpose() - now.vel.row(i).transpose(), c);
-        ++n_ali;
-      } else {
-        toward += direction;
-        ++n_att;
-      }
+    const double r_rep = c.p[kRRep], r_ali = r_rep + c.p[kRAli], r_att = r_ali + c.p[kRAtt];
+    ZoneSums zones = zone_sums(c.near, i, r_rep, r_ali, r_att);
+    if (zones.coincident > 0) add_coincident(zones, now, i, c);
+    Array3d force = Array3d::Zero();
+    if (zones.near_count > 0) force -= c.p[kChiRep] / zones.near_count * zones.near;
+    if (zones.far_count > 0) force += c.p[kChiAtt] / zones.far_count * zones.far;
+    if (c.p[kChiAli] > 0 && c.p[kRAli] > 0) force += c.p[kChiAli] * alignment(now, i, c);
+    return force;
+  }
+
+  // Agents at the same place have no direction from one to the other: one is drawn.
+  void add_coincident(ZoneSums& zones, const State& now, Index i, const StepContext& c) const {
+    const bool repelled = c.p[kRRep] > 0;
+    if (!repelled && c.p[kRAli] > 0) return;  // they are in the shell of alignment
+    for (Index k = 0; k < zones.coincident; ++k) {
+      const auto draw = static_cast<std::uint32_t>(k);
+      const Array3d direction = random_direction(c.rng, Stream::tie_break, c.tick, now.id[static_cast<std::size_t>(i)], draw, dims_);
+      (repelled ? zones.near : zones.far) += direction;
+      (repelled ? zones.near_count : zones.far_count) += 1;
+    }
+  }
+
+  // Mean unit vector of the relative velocities in the shell of alignment.
+  Array3d alignment(const State& now, Index i, const StepContext& c) const {
+    const double from = c.p[kRRep], to = from + c.p[kRAli];
+    const double softness = soft_alignment_ ? c.p[kChiAli] * c.dt : 0;
+    Array3d sum = Array3d::Zero();
+    int count = 0;
+    c.near.visit(i, [&](Index j, const Array3d&, double r) {
+      if (r < from || r >= to) return;
+      ++count;
+      const Array3d dv = (now.vel.row(j) - now.vel.row(i)).transpose();
+      const double speed = std::sqrt(dv.square().sum());
+      if (speed >= 1e-9) sum += dv / std::max(speed, softness);
     });
-    const auto mean = [](double chi, int n, const Array3d& sum) { return n > 0 ? Array3d(chi / n * sum) : Array3d(Array3d::Zero()); };
-    return mean(c.p[kChiRep], n_rep, away) + mean(c.p[kChiAli], n_ali, along) + mean(c.p[kChiAtt], n_att, toward);
+    return count > 0 ? Array3d(sum / count) : sum;
   }
 
-  Array3d tie_break(const State& now, Index i, const StepContext& c) const {
-    return random_direction(c.rng, Stream::tie_break, c.tick, now.id[static_cast<std::size_t>(i)], 0, dims_);
+  // ---- F_res --------------------------------------------------------------------------------------------------------------------
+
+  Array3d response(const State& now, State& next, Index i, const Stimuli& stimuli, const Bounds& bounds, const StepContext& c) const {
+    const auto near = stimuli.nearest(now.pos.row(i).transpose(), bounds, c.p[kRRes]);
+    double theta = now.own(i, kTheta);
+    if (near.index >= 0 && now.own(i, kStimulus) != near.index + 1) theta = draw_theta(c, now.id[static_cast<std::size_t>(i)]);
+    next.own(i, kStimulus) = near.index + 1;
+    next.own(i, kTheta) = theta;
+    if (near.index < 0) return Array3d::Zero();
+    return c.p[kChiRes] * (near.kind == Stimulus::Kind::attract ? Array3d(-near.from) : turned(near.from, theta));
   }
 
-  Array3d aligned(const Array3d& dv, const StepContext& c) const {
-    const double speed = std::sqrt(dv.square().sum());
-    if (speed < 1e-9) return Array3d::Zero();
-    return dv / (soft_alignment_ ? std::max(speed, c.p[kChiAli] * c.dt) : speed);
+  double draw_theta(const StepContext& c, std::uint32_t id) const {
+    const auto u = c.rng.uniform2(Stream::response, c.tick, id);
+    const double theta = -u[0] * std::numbers::pi / 2;
+    return both_sides_ && u[1] < 0.5 ? -theta : theta;
+  }
+
+  // Turned by theta about y, the vertical; motion in the plane turns about z.
+  Array3d turned(const Array3d& a, double theta) const {
+    const double cosine = std::cos(theta), sine = std::sin(theta);
+    if (dims_ == 2) return {cosine * a[0] - sine * a[1], sine * a[0] + cosine * a[1], 0};
+    return {cosine * a[0] + sine * a[2], a[1], -sine * a[0] + cosine * a[2]};
+  }
+
+  // ---- collision avoidance --------------------------------------------------------------------------------------------------------
+
+  Array3d avoid(const State& now, Index i, const Array3d& v_pref, const StepContext& c, Buffers& buffers, Buffers::PerThread& mine) const {
+    const auto k = static_cast<std::size_t>(std::lround(c.p[kMaxNeighbours]));
+    const auto found = buffers.around.nearest(i, k, neighbour_distance(c), buffers.hint[static_cast<std::size_t>(i)], mine.nearest);
+    const Index self = buffers.around.slot(i);
+    const Eigen::Vector3d velocity = now.vel.row(i).transpose().matrix();
+    mine.allowed.clear();
+    for (const auto& other : found) {
+      const Index j = buffers.around.row(other.slot);
+      const Eigen::Vector3d relative = velocity - now.vel.row(j).transpose().matrix();
+      mine.allowed.push_back(reciprocal_half_space(buffers.around.offset(self, other.slot).matrix(), velocity, relative, 2 * c.p[kRadius],
+                                                   c.p[kTimeHorizon], c.dt, tie(now, i, j, c)));
+    }
+    const auto result = nearest_velocity(mine.allowed, v_pref.matrix(), c.p[kMaxSpeed]);
+    if (result.feasible) return flat(result.velocity.array());
+    ++mine.infeasible;
+    if (infeasible_ != Infeasible::min_penetration) return Array3d::Zero();
+    return flat(least_penetration(mine.allowed, v_pref.matrix(), c.p[kMaxSpeed], mine.scratch).array());
+  }
+
+  // The direction in which i leaves a j with the same place and velocity: opposite for the two.
+  Eigen::Vector3d tie(const State& now, Index i, Index j, const StepContext& c) const {
+    if ((now.pos.row(i) != now.pos.row(j)).any()) return Eigen::Vector3d::UnitX();  // not needed
+    const std::uint32_t a = now.id[static_cast<std::size_t>(i)], b = now.id[static_cast<std::size_t>(j)];
+    const Array3d direction = random_direction(c.rng, Stream::tie_break, c.tick, std::min(a, b), std::max(a, b), dims_);
+    return (a < b ? direction : Array3d(-direction)).matrix();
   }
 
   int dims_;
   Noise noise_;
-  bool interaction_, implicit_drag_, sde_, soft_alignment_, per_agent_offset_;
+  Infeasible infeasible_;
+  bool interaction_, avoidance_, implicit_drag_, sde_, soft_alignment_, per_agent_offset_, both_sides_;
 };
 
 }  // namespace
@@ -272,7 +480,7 @@ ModelSpec bswarm_spec() {
           .native_dt = 0.01,
           .largest_dt = 1.0 / 40,  // gamma |v| dt = 0.5 at the upper bound of gamma and the recorded speed
           .options = option_table(),
-          .columns = {},
+          .columns = {"stimulus", "theta"},
           .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Bswarm>(setup); }};
 }

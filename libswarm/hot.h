@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Marks the few inner loops that are compiled twice, for any x86-64 and for AVX2; the loader picks. They work on blocks of a fixed number
+// of lanes and add lane by lane, so both versions, and every build type, give the same bits.
+// Not under sanitizers, whose runtime is not ready yet when the loader asks.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define SWARMFIT_HOT __attribute__((target_clones("avx2", "default")))
+#else
+#define SWARMFIT_HOT
+#endif
