@@ -283,6 +283,7 @@ Json localisation(const Localisation& l) {
   return {{"sigma", array(l.sigma)},
           {"samples", l.samples},
           {"white", l.white},
+          {"rounding", l.rounding},
           {"acceleration_share", l.acceleration_share},
           {"jerk_share", l.jerk_share}};
 }

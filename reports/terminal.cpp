@@ -23,7 +23,7 @@ std::string metric_symbol(std::size_t m, TextStyle style) {
 
 std::string plus_minus(double value, double se, int decimals, TextStyle style) {
   if (!std::isfinite(value)) return kUndefined;
-  const std::string sign = style.unicode ? " ± " : " +- ";
+  const std::string sign = style.unicode ? " ± " : "+-";
   return std::isfinite(se) ? fixed(value, decimals) + sign + fixed(se, decimals) : fixed(value, decimals);
 }
 
@@ -49,9 +49,9 @@ std::string data_line(const DataFacts& d) {
 TextTable ranking_table(const Comparison& c, TextStyle style) {
   std::vector<Align> align = {Align::right, Align::left, Align::right};
   align.insert(align.end(), kMetrics + 1, Align::right);
-  TextTable table(align);
+  TextTable table(align, style);
 
-  std::vector<std::string> head = {"rank", "model", style.unicode ? "score ± se" : "score +- se"};
+  std::vector<std::string> head = {"rank", "model", "score ± se"};
   for (std::size_t m = 0; m < kMetrics; ++m) head.push_back(counts(c, m) ? metric_symbol(m, style) : '(' + metric_symbol(m, style) + ')');
   head.push_back("tried");
   table.row(head, Paint::bold);
@@ -104,7 +104,7 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
 
   const TextTable table = ranking_table(c, style);
   const std::string over = fmt::format("raw energy per metric (0 alike .. {} disjoint)", rounded(worst_energy(c.binning)));
-  out += std::string(table.column_start(3), ' ') + paint(over, Paint::dim, style) + '\n' + table.text(style);
+  out += std::string(table.column_start(3), ' ') + paint(over, Paint::dim, style) + '\n' + table.text();
 
   out += bullets("In brackets: shown, but left out of the score", left_out(c, style), Paint::bold, style);
   out += bullets("* ended on a bound of the search, so the ranking is conditional on the bounds", on_bounds(c), Paint::warning, style);
@@ -119,8 +119,8 @@ namespace {
 
 std::string count_of(std::size_t n) { return counted(static_cast<std::int64_t>(n)); }
 
-TextTable contents_table(const TrackMeta& meta, const Summary& s) {
-  TextTable t({Align::left, Align::right, Align::left});
+TextTable contents_table(const TrackMeta& meta, const Summary& s, TextStyle style) {
+  TextTable t({Align::left, Align::right, Align::left}, style);
   t.row({"tracks", count_of(s.tracks),
          fmt::format("in {} unbroken segments; {} with {} missing frames", count_of(s.segments),
                      counted(static_cast<std::int64_t>(s.gaps), "gap"), count_of(s.missing_frames))});
@@ -138,8 +138,8 @@ void quantile_row(TextTable& t, const std::string& what, const Quantiles& q, con
          rounded(q.sd), unit, note});
 }
 
-TextTable quantile_table(const TrackMeta& meta, const Summary& s) {
-  TextTable t({Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left, Align::left});
+TextTable quantile_table(const TrackMeta& meta, const Summary& s, TextStyle style) {
+  TextTable t({Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left, Align::left}, style);
   const auto outliers = [](std::size_t n) { return n == 0 ? std::string() : counted(static_cast<std::int64_t>(n), "outlier"); };
   t.row({"", "median", "5 – 95 %", "min – max", "mean", "sd", "", ""}, Paint::bold);
   quantile_row(t, "individuals per frame", s.individuals, "");
@@ -158,9 +158,10 @@ std::string localisation_lines(const TrackMeta& meta, const Localisation& l) {
   if (l.samples == 0) return "Localisation error: nothing can be told, the tracks are too short.\n";
   std::string sigma;
   for (int axis = 0; axis < meta.dims; ++axis) sigma += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], rounded(l.sigma[axis]));
+  if (l.rounding) return paragraph(fmt::format("Localisation error: no more than the rounding of the file ({} {}).", sigma, meta.unit));
+  const std::string caveat = l.white ? "" : " (not white: the positions were smoothed, or the motion itself is this rough)";
   return paragraph(fmt::format("Localisation error: {} {}{}; it explains {} of the acceleration and {} of the jerk (mean squares).", sigma,
-                               meta.unit, l.white ? "" : " (not white: an upper estimate)", percent(l.acceleration_share),
-                               percent(l.jerk_share)));
+                               meta.unit, caveat, percent(l.acceleration_share), percent(l.jerk_share)));
 }
 
 std::string suspicion_text(const Suspicion& s) {
@@ -174,8 +175,8 @@ std::string describe_text(const TrackMeta& meta, const Summary& s, TextStyle sty
   out += paragraph(fmt::format("{}-D positions in {}, one frame every {} s; read as {}{}", meta.dims, meta.unit, rounded(meta.dt, 6),
                                meta.from.format, meta.from.columns.empty() ? "" : ", columns " + meta.from.columns)) +
          '\n';
-  out += contents_table(meta, s).text(style) + '\n';
-  out += quantile_table(meta, s).text(style) + '\n';
+  out += contents_table(meta, s, style).text() + '\n';
+  out += quantile_table(meta, s, style).text() + '\n';
   out += localisation_lines(meta, s.localisation);
 
   out += bullets("Repaired while reading", meta.from.notes, Paint::bold, style);
@@ -189,7 +190,7 @@ std::string describe_text(const TrackMeta& meta, const Summary& s, TextStyle sty
 // ---- evaluate, weigh, lists ---------------------------------------------------------------------------------------------------
 
 std::string evaluation_text(const Evaluation& e, TextStyle style) {
-  TextTable t({Align::left, Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left});
+  TextTable t({Align::left, Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left}, style);
   t.row({"", "metric", "energy", "recording", "simulation", "mean ratio", "sd ratio", "unit"}, Paint::bold);
   for (std::size_t m = 0; m < kMetrics; ++m) {
     const Moments &real = e.real_distribution[m].moments, &simulated = e.simulated_distribution[m].moments;
@@ -198,7 +199,7 @@ std::string evaluation_text(const Evaluation& e, TextStyle style) {
            rounded(real.mean) + sign + rounded(real.sd()), rounded(simulated.mean) + sign + rounded(simulated.sd()),
            rounded(simulated.mean / real.mean), rounded(simulated.sd() / real.sd()), metric_unit(m, e.real.unit)});
   }
-  TextTable order({Align::left, Align::right, Align::right});
+  TextTable order({Align::left, Align::right, Align::right}, style);
   order.row({"mean over frames", "recording", "simulation"}, Paint::bold);
   order.row({"polarisation", rounded(e.real_order.polarisation), rounded(e.simulated_order.polarisation)});
   order.row({"milling", rounded(e.real_order.milling), rounded(e.simulated_order.milling)});
@@ -206,7 +207,7 @@ std::string evaluation_text(const Evaluation& e, TextStyle style) {
 
   const auto source = [](const TrackMeta& meta) { return printable(meta.from.path) + (meta.from.synthetic ? " (synthetic)" : ""); };
   std::string out = fmt::format("recording   {}\nsimulation  {}\n\n", source(e.real), source(e.simulated));
-  out += t.text(style) + '\n' + order.text(style) + '\n';
+  out += t.text() + '\n' + order.text() + '\n';
   out += paragraph(fmt::format("Energy: 0 for the same distribution, {} for disjoint ones.", rounded(worst_energy(e.binning))));
   return finish(std::move(out), style);
 }
@@ -214,7 +215,7 @@ std::string evaluation_text(const Evaluation& e, TextStyle style) {
 std::string weights_text(const WeighedTable& table, TextStyle style) {
   std::vector<Align> align = {Align::left, Align::right};
   align.insert(align.end(), table.metrics.size(), Align::right);
-  TextTable t(align);
+  TextTable t(align, style);
   std::vector<std::string> head = {"model", "score"}, weights = {"weight", ""};
   for (std::size_t j = 0; j < table.metrics.size(); ++j) {
     head.push_back(printable(table.metrics[j]));
@@ -227,7 +228,7 @@ std::string weights_text(const WeighedTable& table, TextStyle style) {
     t.row(cells);
   }
   t.row(weights, Paint::dim);
-  return finish(t.text(style), style);
+  return finish(t.text(), style);
 }
 
 std::string list_text(const std::vector<ListEntry>& entries, TextStyle style) {

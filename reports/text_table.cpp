@@ -87,6 +87,8 @@ std::string ascii(std::string_view text) {
 
 void TextTable::row(std::vector<std::string> cells, Paint paint) {
   cells.resize(align_.size());
+  if (!style_.unicode)
+    for (std::string& cell : cells) cell = ascii(cell);
   rows_.push_back({std::move(cells), paint});
 }
 
@@ -104,13 +106,13 @@ std::size_t TextTable::column_start(std::size_t column, std::size_t indent) cons
   return start;
 }
 
-std::string TextTable::text(TextStyle style, std::size_t indent) const {
+std::string TextTable::text(std::size_t indent) const {
   const auto width = widths();
   std::string out;
   for (const Row& r : rows_) {
     std::string line;
     for (std::size_t k = 0; k < width.size(); ++k) line.append(k > 0 ? kApart : 0, ' ').append(padded(r.cells[k], width[k], align_[k]));
-    out.append(indent, ' ').append(paint(without_trailing_spaces(std::move(line)), r.paint, style)).append(1, '\n');
+    out.append(indent, ' ').append(paint(without_trailing_spaces(std::move(line)), r.paint, style_)).append(1, '\n');
   }
   return out;
 }

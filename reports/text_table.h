@@ -30,10 +30,10 @@ std::string ascii(std::string_view text);
 
 class TextTable {
  public:
-  explicit TextTable(std::vector<Align> columns) : align_(std::move(columns)) {}
+  TextTable(std::vector<Align> columns, TextStyle style) : align_(std::move(columns)), style_(style) {}
   void row(std::vector<std::string> cells, Paint paint = Paint::plain);
   // One line per row, columns two spaces apart, lines indented by `indent` spaces.
-  std::string text(TextStyle, std::size_t indent = 1) const;
+  std::string text(std::size_t indent = 1) const;
   std::size_t column_start(std::size_t column, std::size_t indent = 1) const;  // where a column begins
 
  private:
@@ -43,6 +43,7 @@ class TextTable {
   };
   std::vector<std::size_t> widths() const;
   std::vector<Align> align_;
+  TextStyle style_;
   std::vector<Row> rows_;
 };
 

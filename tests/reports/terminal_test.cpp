@@ -109,7 +109,7 @@ TEST(WeightsText, OneRowPerModel) {
   t.weighting = {{0.25, 0.75}, {0.5, 1}, {1.5, 2}, {0, 0}};
   EXPECT_EQ(weights_text(t, {}),
             " model    score       v       a\n A       1.0000  0.5000   1.000\n B       0.5000   2.000   3.000\n"
-            " weight           0.2500  0.7500\n");
+            " weight          0.2500  0.7500\n");
 }
 
 TEST(ListText, AlignsNames) {
