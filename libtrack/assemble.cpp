@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "libtrack/counting_sort.h"
 #include "libtrack/error.h"
 #include "libtrack/fill_gaps.h"
 #include "libtrack/frame_clock.h"
@@ -43,6 +44,8 @@ class Assembly {
     select();
     drop_duplicates();
     TrackMeta meta = describe(std::move(sha256));
+    number_tracks();
+    if (options_.fill_gaps == 0) sort_by_frame();
     TrackColumns columns = gather();
     merge_steps(columns, meta);
     if (options_.fill_gaps > 0) fill_gaps(columns, options_.fill_gaps, meta.from.notes);
@@ -283,11 +286,28 @@ class Assembly {
     return out;
   }
 
+  void number_tracks() {
+    track_.reserve(order_.size());
+    for (std::uint32_t k = 0; k + 1 < first_.size(); ++k) track_.insert(track_.end(), first_[k + 1] - first_[k], k);
+  }
+
+  // Into the final order of Tracks, so that every column is moved only once.
+  void sort_by_frame() {
+    const auto by_frame = sorted_by(frame_, identity_order<std::uint32_t>(frame_.size()));
+    const auto reorder = [&](auto& values) {
+      std::remove_reference_t<decltype(values)> out;
+      out.reserve(values.size());
+      for (const auto i : by_frame) out.push_back(values[i]);
+      values = std::move(out);
+    };
+    reorder(order_);
+    reorder(frame_);
+    reorder(track_);
+  }
+
   TrackColumns gather() {
     TrackColumns columns;
     columns.episodes = std::move(table_.episodes);
-    columns.track.reserve(order_.size());
-    for (std::uint32_t k = 0; k + 1 < first_.size(); ++k) columns.track.insert(columns.track.end(), first_[k + 1] - first_[k], k);
     if (has(Column::kind))
       for (const auto row : order_) columns.kind.push_back(kind(row));
     const bool velocity = complete(kVelocity), acceleration = complete(kAcceleration);
@@ -296,6 +316,7 @@ class Assembly {
     if (acceleration) columns.acc = vectors(kAcceleration);
     columns.names = std::move(names_);
     columns.frame = std::move(frame_);
+    columns.track = std::move(track_);
     return columns;
   }
 
@@ -330,6 +351,7 @@ class Assembly {
   std::vector<std::size_t> first_;    // individual k has order_[first_[k] .. first_[k + 1])
   std::vector<std::string> names_;    // of the individuals
   std::vector<std::int64_t> frame_;   // along order_
+  std::vector<std::uint32_t> track_;  // along order_
   double dt_ = 0, t0_ = 0;
 };
 

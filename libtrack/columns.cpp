@@ -205,14 +205,22 @@ std::string by_name(const ColumnMap& map, const std::vector<std::string>& names)
   return out;
 }
 
-// Units in the header of the position columns, and whether positions are degrees.
+bool is_length_unit(std::string_view unit) {
+  constexpr std::array units = {"nm", "um", "µm", "μm", "mm", "cm", "dm", "m", "km", "in", "inch", "ft", "px", "pixel", "pixels", "bl"};
+  return std::find(units.begin(), units.end(), unit) != units.end();
+}
+
+// Units in the header, and whether positions are degrees. Times must be in seconds.
 void look_at_units(ColumnMap& map, const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto header = normalised(names[i]);
-    const bool position = map.of[i] == Column::x || map.of[i] == Column::y || map.of[i] == Column::z;
-    if (!position) continue;
-    if (find(kDegrees, header.name)) map.degrees = true;
-    if (map.unit.empty()) map.unit = header.unit;
+    const Column column = map.of[i];
+    if (column == Column::x || column == Column::y || column == Column::z) {
+      if (find(kDegrees, header.name)) map.degrees = true;
+      if (map.unit.empty() && is_length_unit(header.unit)) map.unit = header.unit;
+    } else if (column == Column::t && (header.unit == "ms" || header.unit == "min" || header.unit == "h" || header.unit == "us")) {
+      throw InputError(fmt::format("the time column '{}' is in {}; expected seconds", names[i], header.unit));
+    }
   }
 }
 

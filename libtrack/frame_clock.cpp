@@ -156,8 +156,11 @@ void number_frames(FrameClock& clock, std::span<const double> time, std::span<co
   for (std::size_t k = 0; k + 1 < first.size(); ++k) {
     const auto times = time.subspan(first[k], first[k + 1] - first[k]);
     double worst = 0;
-    for (const double t : times) worst = std::max(worst, std::abs(std::remainder(t - origin, clock.dt)));
-    const double own = worst > 0.25 * clock.dt ? phase(times, origin, clock.dt) : 0;
+    for (const double t : times) {
+      const double u = (t - origin) / clock.dt;
+      worst = std::max(worst, std::abs(u - std::round(u)));
+    }
+    const double own = worst > 0.25 ? phase(times, origin, clock.dt) : 0;
     for (std::size_t i = 0; i < times.size(); ++i) {
       const double k_frame = std::round((times[i] - origin - own) / clock.dt);
       clock.frame[first[k] + i] = static_cast<std::int64_t>(k_frame + offset);

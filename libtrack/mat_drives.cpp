@@ -27,7 +27,7 @@ class Drives {
     find_stride();
     for (int k = 1; mat_.find(fmt::format("pos_ev_{}", k)); ++k) add_event(k);
     name_individuals();
-    table_.columns = "pos_ev_k,vel_ev_k";
+    table_.columns = table_.has(Column::vx) ? "id,frame,x,y,vx,vy" : "id,frame,x,y";
     table_.notes.push_back(fmt::format("{} drives were read as separate episodes; frame = {} x event + frame within the event",
                                        table_.episodes.size() + 1, stride_));
     return std::move(table_);

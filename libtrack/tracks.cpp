@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "libtrack/counting_sort.h"
+
 namespace swarmfit {
 namespace {
 
@@ -51,14 +53,14 @@ Tracks::Tracks(TrackColumns columns, TrackMeta meta) : columns_(std::move(column
 }
 
 void Tracks::sort() {
-  const auto key = [this](Index i) {
-    const auto k = static_cast<std::size_t>(i);
-    return std::tuple(columns_.frame[k], columns_.track[k]);
-  };
-  std::vector<Index> order(static_cast<std::size_t>(rows()));
-  std::iota(order.begin(), order.end(), Index{0});
-  if (!std::is_sorted(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); })) {
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  const auto& c = columns_;
+  const auto key = [&c](std::size_t i) { return std::tuple(c.frame[i], c.track[i]); };
+  const std::size_t n = c.frame.size();
+  bool sorted = true;
+  for (std::size_t i = 1; i < n && sorted; ++i) sorted = key(i - 1) <= key(i);
+  if (!sorted) {
+    auto order = sorted_by(c.track, identity_order<Index>(n));
+    order = sorted_by(c.frame, std::move(order));
     columns_.track = reordered(columns_.track, order);
     columns_.frame = reordered(columns_.frame, order);
     columns_.kind = reordered(columns_.kind, order);
@@ -66,7 +68,7 @@ void Tracks::sort() {
     columns_.vel = reordered(columns_.vel, order);
     columns_.acc = reordered(columns_.acc, order);
   }
-  for (Index i = 1; i < rows(); ++i)
+  for (std::size_t i = 1; i < n; ++i)
     if (key(i) == key(i - 1)) throw std::invalid_argument("Tracks: a (track, frame) pair occurs twice");
 }
 
