@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The search: a real-coded genetic algorithm for expensive, noisy objectives on the unit cube, and local refinement by nlopt.
+// The search for a minimum on the unit cube when a cost is expensive and its landscape rough: a real-coded genetic algorithm,
+// refinement by nlopt, and both in one budget. How the methods were chosen: docs/search.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,55 +15,95 @@ namespace swarmfit {
 
 using Point = Eigen::VectorXd;  // in [0, 1]^d
 
-// Costs of a whole batch, lower is better; +inf or NaN: failed. Called with a whole generation so that the caller can run it in parallel.
-// Must be a function of the points alone.
+// Points that differ by less than this in every coordinate count as one: no candidate is tried twice, no leader listed twice.
+inline constexpr double same_point = 1e-6;
+
+// Costs of a whole batch, lower is better; infinite or NaN: failed, and never wins. Called with a whole generation so that the caller
+// can run it in parallel. Must be a function of the points alone.
 using BatchCost = std::function<std::vector<double>(const std::vector<Point>&)>;
-
-struct GeneticOptions {
-  int population = 40;
-  int generations = 60;
-  int stall = 15;  // stop after so many generations without a relative gain of `gain`
-  double gain = 1e-3;
-  int elites = 2;
-  std::int64_t max_evaluations = 0;  // hard limit; 0: none
-};
-
-// Why a search ended.
-enum class Stop { generations, stalled, evaluations, interrupted, converged };
-std::string to_string(Stop);
 
 struct Evaluated {
   Point x;
-  double cost;
+  double cost = 0;
 };
 
+// Why a search ended.
+enum class Stop {
+  generations,  // the plan of population × generations evaluations is used up
+  stalled,      // no gain for long enough
+  evaluations,  // max_evaluations is used up
+  interrupted,  // the callback said so
+  converged     // all candidates, or all corners of every simplex, are one point
+};
+std::string to_string(Stop);
+
 struct SearchResult {
-  std::vector<Evaluated> best;  // distinct, ascending in cost; at most the size of the population
-  std::int64_t evaluations = 0;
+  std::vector<Evaluated> best;     // distinct, ascending in cost, none failed; at most the size of the population
+  std::vector<Evaluated> visited;  // every point evaluated successfully, in order
+  std::int64_t evaluations = 0;    // failed ones included
   int generations = 0;
   Stop stop = Stop::generations;
 };
 
-// Told after every generation; returning false interrupts the search.
+struct GeneticOptions {
+  // At the start, at least 4; shrinks linearly to a fifth over the planned evaluations.
+  int population = 40;
+  // population × generations evaluations are planned: as the population shrinks, generations become smaller and more.
+  int generations = 60;
+  // Stop after stall × population evaluations in which neither the best nor the worst of the best fifth gained `gain` of its cost.
+  int stall = 15;
+  double gain = 1e-3;
+  // Hard limit where it is less than planned; 0: none.
+  std::int64_t max_evaluations = 0;
+};
+
+// Told after every generation, the initial sample being the first; returning false interrupts the search.
 struct GenerationReport {
   int generation;
   std::int64_t evaluations;
-  double best;
+  double best;  // cost; infinite while every candidate has failed
 };
 using OnGeneration = std::function<bool(const GenerationReport&)>;
 
-// Starts from `start` (best first; may be empty), filled up by a scrambled low-discrepancy or random sample.
+// Differential evolution, current-to-pbest/1/bin with an archive of replaced parents, step and crossover adapted by success (SHADE,
+// Tanabe and Fukunaga 2013, doi:10.1109/CEC.2013.6557555), shrinking population (L-SHADE, 2014, doi:10.1109/CEC.2014.6900380). One
+// candidate per generation is the minimum of a quadratic fitted to the evaluated points around the leaders. A parent is replaced only
+// by a cheaper child, so the best is never lost. A child outside the cube is put halfway between its parent and the bound.
+// The first population is `start` (known costs, trusted and not evaluated again; the best of them if there are more than `population`)
+// filled up by a Latin hypercube. Throws InputError for options out of range.
 SearchResult genetic_search(int dimensions, const BatchCost& cost, const GeneticOptions& options, const Rng& rng,
                             const std::vector<Evaluated>& start = {}, const OnGeneration& on_generation = {});
 
 struct RefineOptions {
-  int starts = 2;           // refined in parallel from the best few
-  int evaluations = 100;    // per start
+  int starts = 2;           // how many of the best are refined, in parallel
+  int evaluations = 100;    // per start, hard limit
+  double step = 0.05;       // size of the first simplex
   double tolerance = 1e-6;  // on x
 };
 
-// Nelder–Mead inside the cube (nlopt LN_NELDERMEAD). The cost of one point; may be called from several threads at once.
+// The cost of one point; called from several threads at once.
 using PointCost = std::function<double(const Point&)>;
+
+// Nelder–Mead inside the cube (nlopt LN_NELDERMEAD: Box 1965 at the bounds). `starts` ascending in cost; the result holds the refined and
+// the others, and is never worse than the starts. An exception of `cost` is passed on.
 SearchResult refine(const std::vector<Evaluated>& starts, const PointCost& cost, const RefineOptions& options);
+
+struct SearchOptions {
+  GeneticOptions genetic;     // its planned evaluations or max_evaluations, whichever is less, is the budget of everything
+  RefineOptions refine;       // its evaluations follow from the budget
+  double refine_share = 0.2;  // of the budget that the genetic algorithm leaves to the refinement, in [0, 1)
+};
+
+// What a whole search found. With a rough landscape the cheapest point is mostly a lucky one; `recommended` is then the minimum of a
+// quadratic through all points of the valley (a response surface), which averages the roughness out.
+struct Found : SearchResult {  // `generations` and `stop` are the genetic algorithm's
+  Evaluated recommended;       // best.front() on a smooth landscape; NaN cost and no coordinates when every evaluation failed
+  double roughness = 0;        // standard deviation of the costs about a smooth surface near the best; 0: smooth, or too few points to tell
+};
+
+// genetic_search, then refine, then one evaluation of the response surface's minimum; never more evaluations than the budget.
+// Candidates of final comparisons on fresh random numbers: `recommended` and the first of `best`.
+Found search(int dimensions, const BatchCost& cost, const SearchOptions& options, const Rng& rng, const std::vector<Evaluated>& start = {},
+             const OnGeneration& on_generation = {});
 
 }  // namespace swarmfit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <exception>
 #include <nlopt.hpp>
 
 #include "fit/genetic.h"
@@ -9,69 +9,80 @@
 namespace swarmfit {
 namespace {
 
-// What nlopt cannot be given: it treats NaN and infinity as numbers.
+// What nlopt is told of a failure: it compares costs, and takes NaN for a cheap one and infinity for a reason to stop.
 constexpr double failed_cost = 1e300;
 
-struct Trace {
+struct Run {
   const PointCost& cost;
+  int limit;
   Evaluated best;
-  std::int64_t evaluations = 0;
+  std::vector<Evaluated> visited{};
+  int evaluations = 0;
+  bool converged = false;
+  std::exception_ptr error{};
 };
 
 double evaluate(const std::vector<double>& x, std::vector<double>&, void* data) {
-  Trace& trace = *static_cast<Trace*>(data);
+  Run& run = *static_cast<Run*>(data);
+  if (run.evaluations == run.limit) throw nlopt::forced_stop();
   const Point point = Eigen::Map<const Point>(x.data(), static_cast<Eigen::Index>(x.size())).cwiseMax(0.0).cwiseMin(1.0);
-  ++trace.evaluations;
-  const double cost = trace.cost(point);
+  double cost = 0;
+  try {
+    ++run.evaluations;
+    cost = run.cost(point);
+  } catch (...) {  // must cross neither nlopt's C code nor the parallel region
+    run.error = std::current_exception();
+    throw nlopt::forced_stop();
+  }
   if (!std::isfinite(cost)) return failed_cost;
-  if (cost < trace.best.cost) trace.best = {point, cost};
+  run.visited.push_back({point, cost});
+  if (cost < run.best.cost) run.best = {point, cost};
   return cost;
 }
 
-struct Refined {
-  Evaluated best;
-  std::int64_t evaluations;
-  bool converged;
-};
-
-Refined refine_one(const Evaluated& start, const PointCost& cost, const RefineOptions& options, double step) {
-  Trace trace{cost, start};
-  const auto n = static_cast<unsigned>(start.x.size());
-  nlopt::opt simplex(nlopt::LN_NELDERMEAD, n);
-  simplex.set_min_objective(evaluate, &trace);
+void minimise(Run& run, const RefineOptions& options) {
+  std::vector<double> x(run.best.x.begin(), run.best.x.end());
+  nlopt::opt simplex(nlopt::LN_NELDERMEAD, static_cast<unsigned>(x.size()));
+  simplex.set_min_objective(evaluate, &run);
   simplex.set_lower_bounds(0.0);
   simplex.set_upper_bounds(1.0);
-  simplex.set_initial_step(step);
+  simplex.set_initial_step(options.step);
   simplex.set_xtol_abs(options.tolerance);
-  simplex.set_maxeval(options.evaluations);
-  std::vector<double> x(start.x.begin(), start.x.end());
-  double value = 0;
-  bool converged = false;
   try {
-    converged = simplex.optimize(x, value) != nlopt::MAXEVAL_REACHED;
+    double cost = 0;
+    simplex.optimize(x, cost);
+    run.converged = true;
+  } catch (const nlopt::forced_stop&) {
   } catch (const nlopt::roundoff_limited&) {
-    converged = true;
+    run.converged = true;
   }
-  return {trace.best, trace.evaluations, converged};
 }
 
 }  // namespace
 
 SearchResult refine(const std::vector<Evaluated>& starts, const PointCost& cost, const RefineOptions& options) {
-  const int n = std::min<int>(options.starts, static_cast<int>(starts.size()));
-  SearchResult result;
-  std::vector<Refined> refined(n);
+  const int refined = options.evaluations > 0 ? std::clamp(options.starts, 0, static_cast<int>(starts.size())) : 0;
+  std::vector<Run> runs;
+  for (int i = 0; i < refined; ++i) runs.push_back({cost, options.evaluations, starts[i]});
 #pragma omp parallel for schedule(dynamic, 1)
-  for (int i = 0; i < n; ++i) refined[i] = refine_one(starts[i], cost, options, 0.05);
-  bool converged = n > 0;
-  for (const Refined& r : refined) {
-    result.evaluations += r.evaluations;
-    result.best.push_back(r.best);
-    converged = converged && r.converged;
+  for (int i = 0; i < refined; ++i) minimise(runs[i], options);
+
+  SearchResult result;
+  result.stop = Stop::converged;
+  std::vector<Evaluated> all;
+  for (Run& run : runs) {
+    if (run.error) std::rethrow_exception(run.error);
+    if (!run.converged) result.stop = Stop::evaluations;
+    result.evaluations += run.evaluations;
+    result.visited.insert(result.visited.end(), run.visited.begin(), run.visited.end());
+    all.push_back(run.best);
   }
-  for (std::size_t i = n; i < starts.size(); ++i) result.best.push_back(starts[i]);
-  std::stable_sort(result.best.begin(), result.best.end(), [](const Evaluated& a, const Evaluated& b) { return a.cost < b.cost; });
-  result.stop = converged ? Stop::converged : Stop::evaluations;
+  all.insert(all.end(), starts.begin() + refined, starts.end());
+  std::stable_sort(all.begin(), all.end(), [](const Evaluated& a, const Evaluated& b) { return a.cost < b.cost; });
+  for (const Evaluated& e : all) {
+    const auto same = [&](const Evaluated& other) { return (other.x - e.x).lpNorm<Eigen::Infinity>() < same_point; };
+    if (std::none_of(result.best.begin(), result.best.end(), same)) result.best.push_back(e);
+  }
   return result;
 }
 

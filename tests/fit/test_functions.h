@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Test functions on the unit cube with a known optimum, which lies away from the centre so that no method profits from a liking for it.
+#pragma once
+
+#include <Eigen/Core>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "fit/genetic.h"
+#include "libtrack/rng.h"
+
+namespace swarmfit::testing {
+
+struct TestFunction {
+  std::string name;
+  Point optimum;                              // in the cube; the true value there is 0
+  std::function<double(const Point&)> truth;  // without noise
+  std::function<double(const Point&)> cost;   // what a search sees: a pure function of the point, as with common random numbers
+
+  BatchCost batch() const {
+    return [f = cost](const std::vector<Point>& points) {
+      std::vector<double> costs;
+      for (const Point& x : points) costs.push_back(f(x));
+      return costs;
+    };
+  }
+};
+
+// Uniform in [0.2, 0.8]^d, another one for every seed.
+inline Point random_optimum(int dimensions, std::uint64_t seed) {
+  Point x(dimensions);
+  for (int k = 0; k < dimensions; ++k) x[k] = 0.2 + 0.6 * Rng{seed}.uniform(Stream::start, 0, static_cast<std::uint32_t>(k));
+  return x;
+}
+
+inline TestFunction noiseless(std::string name, Point optimum, std::function<double(const Point&)> f) {
+  return {std::move(name), std::move(optimum), f, f};
+}
+
+// Rastrigin's function, box side 10.24: about 10^d local minima.
+inline TestFunction rastrigin(int dimensions, std::uint64_t seed) {
+  const Point optimum = random_optimum(dimensions, seed);
+  return noiseless("Rastrigin", optimum, [optimum](const Point& x) {
+    const Eigen::ArrayXd z = 10.24 * (x - optimum).array();
+    return (z.square() + 10.0 * (1.0 - (2.0 * std::numbers::pi * z).cos())).sum();
+  });
+}
+
+// Rosenbrock's valley, box side 10.
+inline TestFunction rosenbrock(int dimensions, std::uint64_t seed) {
+  const Point optimum = random_optimum(dimensions, seed);
+  return noiseless("Rosenbrock", optimum, [optimum](const Point& x) {
+    const Eigen::ArrayXd z = 1.0 + 10.0 * (x - optimum).array();
+    double sum = 0;
+    for (Eigen::Index k = 0; k + 1 < z.size(); ++k) sum += 100.0 * std::pow(z[k + 1] - z[k] * z[k], 2) + std::pow(1.0 - z[k], 2);
+    return sum;
+  });
+}
+
+inline TestFunction sphere(int dimensions, std::uint64_t seed) {
+  const Point optimum = random_optimum(dimensions, seed);
+  return noiseless("sphere", optimum, [optimum](const Point& x) { return 100.0 * (x - optimum).squaredNorm(); });
+}
+
+// Frozen noise: a normal number that is a hash of the point's bits, independent from point to point.
+inline double noise_at(const Point& x, std::uint64_t seed) {
+  Rng hash{seed};
+  for (const double v : x)
+    hash = hash.derive(Stream::localisation, std::bit_cast<std::uint64_t>(v) >> 16,
+                       static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(v)));
+  return hash.normal2(Stream::localisation, 1, 0)[0];
+}
+
+// `f` with frozen noise of standard deviation `sd`.
+inline TestFunction noisy(TestFunction f, double sd, std::uint64_t seed) {
+  f.name = "noisy " + f.name;
+  f.cost = [truth = f.truth, sd, seed](const Point& x) { return truth(x) + sd * noise_at(x, seed); };
+  return f;
+}
+
+}  // namespace swarmfit::testing
