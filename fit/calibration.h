@@ -16,8 +16,8 @@ struct Selected {
 class ModelSearch {
  public:
   // All references must outlive the search. `index` is the model's place in the comparison.
-  ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target, const CompareOptions& options,
-              std::vector<HistoryRow>& history);
+  ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target,
+              const CompareOptions& options, std::vector<HistoryRow>& history);
 
   // One calibration pass: rescores the archive, searches, refines, and selects among the leaders on fresh seeds.
   void pass(int number, const Weighting& weighting, const OnGeneration& on_generation);

@@ -27,7 +27,7 @@ Budget budget_named(const std::string& name);
 std::span<const Budget> budgets();
 
 struct CompareOptions {
-  std::vector<ModelChoice> models;   // at least one; one model is fitted with equal weights and no calibration
+  std::vector<ModelChoice> models;  // at least one; one model is fitted with equal weights and no calibration
   ParameterRequests requests;
   ConditionOptions conditions;
   Binning binning;
@@ -40,11 +40,11 @@ struct CompareOptions {
 
 struct CompareProgress {
   std::string model;
-  std::size_t index, models;     // index from 0
+  std::size_t index, models;  // index from 0
   int pass, passes;
   int generation, generations;
-  std::int64_t evaluations;      // of this model, all passes
-  double best;                   // score with the pass's weights
+  std::int64_t evaluations;  // of this model, all passes
+  double best;               // score with the pass's weights
 };
 // Called after every generation; returning false interrupts.
 using OnCompareProgress = std::function<bool(const CompareProgress&)>;

@@ -19,18 +19,18 @@ struct ConditionOptions {
   Presence presence = Presence::recorded;
   std::string arena = "open";  // open | box | sphere | x0:x1,y0:y1[,z0:z1]
   Error error = Error::estimate;
-  double sigma = 0;            // localisation error of every axis, for Error::given [unit]
-  double smoothing = 0;        // Gaussian smoothing of both sides, standard deviation in frames
+  double sigma = 0;      // localisation error of every axis, for Error::given [unit]
+  double smoothing = 0;  // Gaussian smoothing of both sides, standard deviation in frames
   VelocitySource velocity = VelocitySource::difference;
 };
 
 // Immutable and shared by all simulations of a fit.
 struct Conditions {
   ConditionOptions options;
-  Tracks recording;           // as compared: smoothed if asked for
-  Scales scales;              // L, NND, V of the recording
-  World world;                // arena and presence
-  Localisation localisation;  // as estimated, whatever is used
+  Tracks recording;                               // as compared: smoothed if asked for
+  Scales scales;                                  // L, NND, V of the recording
+  World world;                                    // arena and presence
+  Localisation localisation;                      // as estimated, whatever is used
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error put on simulated positions, per axis [unit]
   std::int64_t first_frame = 0, frames = 0;
 };

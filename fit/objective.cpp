@@ -119,7 +119,7 @@ std::vector<Outcome> Objective::evaluate(const std::vector<std::vector<double>>&
 }
 
 Outcome Objective::evaluate(const std::vector<double>& candidate, std::span<const Rng> seeds, int finer) const {
-  return evaluate(std::vector{candidate}, seeds, finer).front();
+  return evaluate(std::vector<std::vector<double>>{candidate}, seeds, finer).front();
 }
 
 std::vector<Rng> replicate_seeds(const Rng& root, Stream stream, int replicates) {

@@ -13,11 +13,11 @@ namespace swarmfit {
 
 // One candidate over all its replicates.
 struct Outcome {
-  Energies raw{};                              // pooled; a replicate that blew up counts with the worst energy; NaN: undefined in the recording
-  std::vector<Energies> replicates;            // of each replicate alone
-  PerMetric<Distribution> distributions{};     // pooled replicates
-  int failed = 0;                              // replicates that blew up
-  Counters count;                              // summed
+  Energies raw{};                    // pooled; a replicate that blew up counts with the worst energy; NaN: undefined in the recording
+  std::vector<Energies> replicates;  // of each replicate alone
+  PerMetric<Distribution> distributions{};  // pooled replicates
+  int failed = 0;                           // replicates that blew up
+  Counters count;                           // summed
 };
 
 // The objective of one model on one recording. Const and shared by threads; holds references, so all arguments must outlive it.

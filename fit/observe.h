@@ -22,9 +22,9 @@ class Observer : public FrameSink {
   Eigen::Array3d sigma_;
   Rng rng_;
   FrameSink& out_;
-  std::size_t cursor_ = 0;                         // first frame of the mask not before the present one
-  std::span<const std::uint32_t> visible_;         // track numbers seen in this frame, ascending
-  std::vector<std::uint32_t> id_;                  // buffers of the frame passed on
+  std::size_t cursor_ = 0;                  // first frame of the mask not before the present one
+  std::span<const std::uint32_t> visible_;  // track numbers seen in this frame, ascending
+  std::vector<std::uint32_t> id_;           // buffers of the frame passed on
   std::vector<std::uint8_t> kind_;
   Rows pos_, vel_;
 };

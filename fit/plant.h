@@ -11,18 +11,18 @@ struct PlantOptions {
   int dims = 3;
   int agents = 20;
   std::int64_t frames = 500;
-  double dt = 0.01;             // frame interval [s]
-  int substeps = 1;             // steps per frame
-  std::int64_t warm_up = 0;     // frames simulated before the recording starts
-  Bounds arena;                 // open by default
-  double start_radius = 1;      // agents start uniformly in a ball (disc) of this radius about the origin, or the arena's centre [unit]
-  double start_speed = 1;       // and in random directions at this speed [unit/s]
-  double sigma = 0;             // localisation error per axis [unit]
-  double dropout = 0;           // probability per individual and frame that a gap begins
-  int longest_gap = 5;          // gaps last 1 .. longest_gap frames, all equally likely
+  double dt = 0.01;          // frame interval [s]
+  int substeps = 1;          // steps per frame
+  std::int64_t warm_up = 0;  // frames simulated before the recording starts
+  Bounds arena;              // open by default
+  double start_radius = 1;   // agents start uniformly in a ball (disc) of this radius about the origin, or the arena's centre [unit]
+  double start_speed = 1;    // and in random directions at this speed [unit/s]
+  double sigma = 0;          // localisation error per axis [unit]
+  double dropout = 0;        // probability per individual and frame that a gap begins
+  int longest_gap = 5;       // gaps last 1 .. longest_gap frames, all equally likely
   std::uint64_t seed = 1;
   std::string unit = "su";
-  std::string path;             // shown as where it comes from
+  std::string path;  // shown as where it comes from
   std::vector<std::string> notes;
 };
 

@@ -28,16 +28,16 @@ struct DataFacts {
 
 // How simulations were made comparable with the recording.
 struct ObservationFacts {
-  std::string presence;      // "recorded" or "constant"
-  std::string arena;         // as --arena takes it
-  std::string error_source;  // "estimate", "given", "none"
+  std::string presence;                           // "recorded" or "constant"
+  std::string arena;                              // as --arena takes it
+  std::string error_source;                       // "estimate", "given", "none"
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error per axis [unit]
-  bool white = true;         // the estimate is consistent with white error
-  double smoothing = 0;      // standard deviation of the Gaussian smoothing of both sides [frames]; 0: none
-  std::string velocity;      // "difference" or "recorded"
-  PerMetric<double> error_share{};  // share of each metric's variance that is localisation error; NaN unknown
-  PerMetric<bool> used{};           // is the metric in the default score?
-  PerMetric<std::string> why_not{}; // the reason where it is not
+  bool white = true;                              // the estimate is consistent with white error
+  double smoothing = 0;                           // standard deviation of the Gaussian smoothing of both sides [frames]; 0: none
+  std::string velocity;                           // "difference" or "recorded"
+  PerMetric<double> error_share{};                // share of each metric's variance that is localisation error; NaN unknown
+  PerMetric<bool> used{};                         // is the metric in the default score?
+  PerMetric<std::string> why_not{};               // the reason where it is not
 };
 
 struct ParameterResult {
@@ -56,39 +56,39 @@ struct ConvergencePoint {
 
 // Everything about one model in a comparison (or the only one of a fit).
 struct FitResult {
-  std::string model;                 // canonical name with settings: "bswarm[noise=white]"
+  std::string model;  // canonical name with settings: "bswarm[noise=white]"
   std::string summary, citation;
   std::map<std::string, std::string> options;  // complete
   std::vector<ParameterResult> parameters;     // the whole table, unused rows left out
-  int rank = 0;                      // 1 is best; 0 if the score is undefined
-  double score = 0;                  // E, higher is better, with the comparison's weights
-  double score_se = 0;               // standard error of the mean score of single final replicates; NaN if undefined
-  Energies raw_energies{};           // over the pooled final replicates
-  Energies raw_se{};                 // standard errors of the mean of single replicates
-  Energies energies{};               // (raw - p1)/p2, 0 where p2 = 0
-  Energies half_step_energies{};     // raw energies of the same parameters at half the time step, same number of replicates
-  std::vector<Energies> replicate_energies;   // raw, one per final replicate
-  PerMetric<Distribution> distributions{};    // pooled final replicates, on the recording's axes
+  int rank = 0;                                // 1 is best; 0 if the score is undefined
+  double score = 0;                            // E, higher is better, with the comparison's weights
+  double score_se = 0;                         // standard error of the mean score of single final replicates; NaN if undefined
+  Energies raw_energies{};                     // over the pooled final replicates
+  Energies raw_se{};                           // standard errors of the mean of single replicates
+  Energies energies{};                         // (raw - p1)/p2, 0 where p2 = 0
+  Energies half_step_energies{};               // raw energies of the same parameters at half the time step, same number of replicates
+  std::vector<Energies> replicate_energies;    // raw, one per final replicate
+  PerMetric<Distribution> distributions{};     // pooled final replicates, on the recording's axes
   PerMetric<double> mean_ratio{}, sd_ratio{}, outside_fraction{};  // simulation / recording
-  double extent = 0, spacing = 0, speed = 0;  // of the simulated group, as in DataFacts
-  std::int64_t evaluations = 0;      // candidates simulated
-  std::int64_t simulations = 0;      // runs: candidates × replicates, the final ones included
-  std::int64_t failed_simulations = 0;        // blew up
-  double failed_final = 0;           // share of the final replicates that blew up
+  double extent = 0, spacing = 0, speed = 0;                       // of the simulated group, as in DataFacts
+  std::int64_t evaluations = 0;                                    // candidates simulated
+  std::int64_t simulations = 0;                                    // runs: candidates × replicates, the final ones included
+  std::int64_t failed_simulations = 0;                             // blew up
+  double failed_final = 0;                                         // share of the final replicates that blew up
   std::string stop_reason;
-  int substeps = 1;                  // n_sub
-  double infeasible_avoidance = 0;   // share of final agent-steps without a collision-free velocity
+  int substeps = 1;                 // n_sub
+  double infeasible_avoidance = 0;  // share of final agent-steps without a collision-free velocity
   std::vector<ConvergencePoint> convergence;
 };
 
 // One row of history.csv: a candidate that was simulated.
 struct HistoryRow {
-  std::size_t model;      // index into the order in which models were named
+  std::size_t model;  // index into the order in which models were named
   int pass;
   std::string phase;      // "genetic", "refine", "final"
   std::vector<double> x;  // searched parameters, physical units, in table order
   Energies raw{};
-  int failed = 0;         // replicates that blew up
+  int failed = 0;  // replicates that blew up
 };
 
 // One pass of the calibration loop.
@@ -99,7 +99,7 @@ struct WeightStep {
 };
 
 struct Comparison {
-  std::string command;   // "compare" or "fit"
+  std::string command;  // "compare" or "fit"
   std::string version;
   std::uint64_t seed = 0;
   std::string budget, protocol;
@@ -107,17 +107,17 @@ struct Comparison {
   DataFacts data;
   ObservationFacts observation;
   Binning binning;
-  PerMetric<Distribution> recording{};     // the recording's histograms
+  PerMetric<Distribution> recording{};           // the recording's histograms
   PerMetric<double> axis_lower{}, axis_width{};  // of all histograms, physical units
   PerMetric<bool> defined{};
   PerMetric<double> weights{}, p1{}, p2{};
   std::vector<WeightStep> weight_history;
   bool weights_converged = false;
-  std::vector<FitResult> models;           // by rank
-  std::vector<std::string> named;          // canonical names in the order given
+  std::vector<FitResult> models;                   // by rank
+  std::vector<std::string> named;                  // canonical names in the order given
   std::vector<std::vector<std::string>> searched;  // names of the searched parameters, per named model
   std::vector<HistoryRow> history;
-  std::vector<std::string> warnings;       // sentences a reader must see before believing the table
+  std::vector<std::string> warnings;                        // sentences a reader must see before believing the table
   std::vector<std::pair<std::string, std::string>> config;  // every resolved flag of the command, name and TOML value, for config.toml
 };
 

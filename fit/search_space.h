@@ -14,9 +14,9 @@ namespace swarmfit {
 
 // What the user said about parameters. Keys are "parameter" or "model.parameter", model being the bare or the full name.
 struct ParameterRequests {
-  std::map<std::string, double> set;                          // --set: value; not searched unless bounds are given too
-  std::map<std::string, bool> fix;                            // --fix: keep at its default
-  std::map<std::string, std::pair<double, double>> bounds;    // --bounds: searched within these [physical units]
+  std::map<std::string, double> set;                        // --set: value; not searched unless bounds are given too
+  std::map<std::string, bool> fix;                          // --fix: keep at its default
+  std::map<std::string, std::pair<double, double>> bounds;  // --bounds: searched within these [physical units]
 };
 
 // The parameters of one model in one recording: what is searched, between which bounds, and what the rest is.
@@ -27,9 +27,9 @@ class SearchSpace {
   SearchSpace(const ModelChoice& model, const Scales& scales, const ParameterRequests& requests);
 
   int dimensions() const { return static_cast<int>(searched_.size()); }
-  const std::vector<std::size_t>& searched() const { return searched_; }   // rows of the parameter table
-  std::vector<double> parameters(const Point& x) const;                    // all rows, physical units
-  Point point(const std::vector<double>& parameters) const;                // inverse on the searched rows, clamped to the cube
+  const std::vector<std::size_t>& searched() const { return searched_; }  // rows of the parameter table
+  std::vector<double> parameters(const Point& x) const;                   // all rows, physical units
+  Point point(const std::vector<double>& parameters) const;               // inverse on the searched rows, clamped to the cube
   std::vector<ParameterResult> describe(const Point& x, const std::string& length_unit) const;
 
  private:
@@ -40,8 +40,8 @@ class SearchSpace {
   void apply(const ModelChoice& model, const ParameterRequests& requests);
 
   ModelChoice model_;
-  std::vector<double> base_;          // value of every row
-  std::vector<Axis> axes_;            // bounds of every row
+  std::vector<double> base_;  // value of every row
+  std::vector<Axis> axes_;    // bounds of every row
   std::vector<std::size_t> searched_;
 };
 

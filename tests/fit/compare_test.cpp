@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "fit/compare.h"
+
+#include <gmock/gmock.h>
+#include <omp.h>
+
+#include <cmath>
+
+#include "fit/objective.h"
+#include "libtrack/error.h"
+#include "tests/fit/planted.h"
+
+namespace swarmfit {
+namespace {
+
+using ::testing::HasSubstr;
+
+CompareOptions tiny(std::vector<std::string> names, std::uint64_t seed = 1) {
+  CompareOptions o;
+  for (const auto& name : names) o.models.push_back(parse_model(name));
+  o.binning = Binning::standard(Normalisation::reference);
+  o.budget = {"tiny", 8, 4, 2, 2, 10, 3, 3};
+  o.seed = seed;
+  return o;
+}
+
+struct Threads {
+  explicit Threads(int n) : before(omp_get_max_threads()) { omp_set_num_threads(n); }
+  ~Threads() { omp_set_num_threads(before); }
+  int before;
+};
+
+TEST(Objective, TrueParametersBeatWrongOnes) {
+  const Tracks recording = test::planted_swarm(3);
+  const auto model = parse_model("bswarm");
+  const Conditions conditions = make_conditions(recording, {});
+  const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
+  const Objective objective(model, conditions, target);
+  const auto truth = scene_parameters(model, test::midge_parameters());
+  auto wrong = truth;
+  wrong[static_cast<std::size_t>(model.spec->find("gamma"))] *= 10;
+  const auto seeds = replicate_seeds({1}, Stream::replicate, 3);
+  const auto outcomes = objective.evaluate({truth, wrong}, seeds);
+  EXPECT_LT(outcomes[0].raw[kSpeed], 0.5 * outcomes[1].raw[kSpeed]);
+  EXPECT_EQ(outcomes[0].failed, 0);
+}
+
+TEST(Objective, BlowUpIsCountedAndCostsTheWorst) {
+  const Tracks recording = test::planted_swarm(3);
+  const auto model = parse_model("bswarm[avoidance=none]");
+  const Conditions conditions = make_conditions(recording, {});
+  const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
+  const Objective objective(model, conditions, target);
+  auto wild = scene_parameters(model, test::midge_parameters());
+  wild[static_cast<std::size_t>(model.spec->find("gamma"))] = 1e9;  // explicit drag with gamma |v| dt >> 1 explodes
+  const auto outcome = objective.evaluate(wild, replicate_seeds({1}, Stream::replicate, 2));
+  EXPECT_EQ(outcome.failed, 2);
+  for (const double e : outcome.raw) EXPECT_EQ(e, target.worst());
+}
+
+TEST(Objective, SeparateNormalisationPoolsSamplesBeforeItStandardisesThem) {
+  const Tracks recording = test::planted_swarm(3);
+  const auto model = parse_model("bswarm");
+  const Conditions conditions = make_conditions(recording, {});
+  const Target target(metric_samples(recording), Binning::standard(Normalisation::separate));
+  const Objective objective(model, conditions, target);
+  const auto truth = scene_parameters(model, test::midge_parameters());
+  const auto seeds = replicate_seeds({1}, Stream::replicate, 2);
+  MetricSamples all;
+  for (const auto& seed : seeds) {
+    const auto part = metric_samples(objective.simulate(truth, seed));
+    for (std::size_t m = 0; m < kMetrics; ++m) all.values[m].insert(all.values[m].end(), part.values[m].begin(), part.values[m].end());
+  }
+  const Energies expected = target.energies(target.distributions(all));
+  const Energies got = objective.evaluate(truth, seeds).raw;
+  for (std::size_t m = 0; m < kMetrics; ++m) EXPECT_EQ(got[m], expected[m]);
+}
+
+TEST(Compare, SameBitsForAnyNumberOfThreads) {
+  const Tracks recording = test::planted_swarm(4, 0.5, 0.01);
+  const auto options = tiny({"bswarm", "boids"});
+  Comparison one, many;
+  {
+    const Threads threads(1);
+    one = compare(recording, options);
+  }
+  {
+    const Threads threads(4);
+    many = compare(recording, options);
+  }
+  ASSERT_EQ(one.history.size(), many.history.size());
+  for (std::size_t k = 0; k < one.history.size(); ++k) {
+    EXPECT_EQ(one.history[k].x, many.history[k].x) << k;
+    EXPECT_EQ(one.history[k].phase, many.history[k].phase) << k;
+    for (std::size_t m = 0; m < kMetrics; ++m) EXPECT_EQ(one.history[k].raw[m], many.history[k].raw[m]) << k;
+  }
+  ASSERT_EQ(one.models.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(one.models[k].score, many.models[k].score);
+}
+
+TEST(Compare, PlantedModelWins) {
+  const Comparison result = compare(test::planted_swarm(4), tiny({"boids", "bswarm"}));
+  EXPECT_EQ(result.models.front().model, "bswarm");
+  EXPECT_EQ(result.models.front().rank, 1);
+  EXPECT_EQ(result.named, (std::vector<std::string>{"boids", "bswarm"}));
+}
+
+TEST(Compare, HistoryHoldsEveryEvaluationOnce) {
+  const auto options = tiny({"bswarm", "boids"});
+  const Comparison result = compare(test::planted_swarm(4), options);
+  for (std::size_t m = 0; m < 2; ++m) {
+    std::int64_t searched = 0, simulations = 0;
+    for (const auto& row : result.history) {
+      if (row.model != m) continue;
+      searched += row.phase != "final";
+      simulations += row.phase == "final" ? options.budget.final_replicates : options.budget.replicates;
+    }
+    for (const auto& fit : result.models) {
+      if (fit.model != result.named[m]) continue;
+      EXPECT_EQ(fit.evaluations, searched);
+      EXPECT_EQ(fit.simulations, simulations);
+    }
+  }
+}
+
+TEST(Compare, HardLimitOfEvaluationsIsKept) {
+  auto options = tiny({"bswarm", "boids"});
+  options.max_evaluations = 13;
+  for (const auto& fit : compare(test::planted_swarm(4), options).models) EXPECT_LE(fit.evaluations, 13);
+}
+
+TEST(Compare, WeightsAreThoseOfTheEnergiesShown) {
+  const Comparison result = compare(test::planted_swarm(4), tiny({"bswarm", "boids", "bswarm[noise=none]"}));
+  Eigen::MatrixXd table(3, static_cast<Index>(kMetrics));
+  for (Index m = 0; m < 3; ++m)
+    for (std::size_t j = 0; j < kMetrics; ++j) table(m, static_cast<Index>(j)) = result.models[static_cast<std::size_t>(m)].raw_energies[j];
+  const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
+  const Weighting expected = entropy_weights(table, used);
+  for (std::size_t j = 0; j < kMetrics; ++j) EXPECT_NEAR(result.weights[j], expected.weights[j], 1e-12);
+}
+
+TEST(Compare, OneModelIsFittedWithEqualWeights) {
+  const Comparison result = compare(test::planted_swarm(4), tiny({"bswarm"}));
+  EXPECT_EQ(result.command, "fit");
+  EXPECT_TRUE(result.weight_history.empty());
+  double sum = 0;
+  for (std::size_t j = 0; j < kMetrics; ++j) {
+    sum += result.weights[j];
+    EXPECT_TRUE(result.weights[j] == 0 || result.weights[j] == *std::max_element(result.weights.begin(), result.weights.end()));
+  }
+  EXPECT_NEAR(sum, 1, 1e-12);
+}
+
+TEST(Compare, EverythingFixedStillRanks) {
+  auto options = tiny({"boids"});
+  for (const auto& p : options.models[0].spec->parameters) options.requests.fix[std::string(p.name)] = true;
+  const Comparison result = compare(test::planted_swarm(4), options);
+  EXPECT_EQ(result.models[0].evaluations, 1);
+  EXPECT_EQ(result.models[0].stop_reason, "nothing to search");
+}
+
+TEST(Compare, InterruptionLeavesNoResult) {
+  EXPECT_THROW(compare(test::planted_swarm(4), tiny({"bswarm"}), [](const CompareProgress&) { return false; }), Interrupted);
+}
+
+TEST(Compare, SyntheticDataAndTwoModelsAreWarnedOf) {
+  const Comparison result = compare(test::planted_swarm(4), tiny({"bswarm", "boids"}));
+  EXPECT_THAT(result.warnings, ::testing::Contains(HasSubstr("synthetic")));
+  EXPECT_THAT(result.warnings, ::testing::Contains(HasSubstr("two models")));
+}
+
+TEST(Budget, UnknownNameIsRefusedWithTheKnownOnes) {
+  try {
+    budget_named("huge");
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("quick, default, thorough"));
+  }
+}
+
+}  // namespace
+}  // namespace swarmfit

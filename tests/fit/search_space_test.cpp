@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "fit/search_space.h"
+
+#include <gmock/gmock.h>
+
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+using ::testing::HasSubstr;
+
+const Scales kScales{100, 50, 200};  // L = 100, NND = 50, V = 200: T = 0.5, A = 400
+
+std::size_t row(const ModelChoice& model, const char* name) { return static_cast<std::size_t>(model.spec->find(name)); }
+
+TEST(SearchSpace, BoundsAreStatedInTheRecordingsScales) {
+  const auto model = parse_model("bswarm");
+  const SearchSpace space(model, kScales, {});
+  const auto at_zero = space.parameters(Point::Zero(space.dimensions()));
+  const auto at_one = space.parameters(Point::Ones(space.dimensions()));
+  const auto& gamma = model.spec->parameters[row(model, "gamma")];
+  EXPECT_NEAR(at_zero[row(model, "gamma")], gamma.fit.lower / 100, 1e-15);   // 1/L
+  EXPECT_NEAR(at_one[row(model, "gamma")], gamma.fit.upper / 100, 1e-12);
+  const auto& chi = model.spec->parameters[row(model, "chi_att")];
+  EXPECT_NEAR(at_one[row(model, "chi_att")], chi.fit.upper * 400, 1e-9);     // A = L/T²
+  const auto& radius = model.spec->parameters[row(model, "r_rep")];
+  EXPECT_NEAR(at_one[row(model, "r_rep")], radius.fit.upper * 50, 1e-9);     // NND
+}
+
+TEST(SearchSpace, PointIsTheInverseOfParameters) {
+  const auto model = parse_model("bswarm");
+  const SearchSpace space(model, kScales, {});
+  Point x(space.dimensions());
+  for (Index k = 0; k < x.size(); ++k) x[k] = (static_cast<double>(k) + 0.5) / static_cast<double>(x.size());
+  EXPECT_LT((space.point(space.parameters(x)) - x).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(SearchSpace, LogarithmicAxisIsHalvedAtItsGeometricMean) {
+  const auto model = parse_model("bswarm");
+  const SearchSpace space(model, kScales, {});
+  const auto middle = space.parameters(Point::Constant(space.dimensions(), 0.5));
+  const auto& gamma = model.spec->parameters[row(model, "gamma")];
+  EXPECT_NEAR(middle[row(model, "gamma")], std::sqrt(gamma.fit.lower * gamma.fit.upper) / 100, 1e-12);
+}
+
+TEST(SearchSpace, OnlyParametersThatTheSettingsUseAreSearched) {
+  const auto curl = parse_model("bswarm"), white = parse_model("bswarm[noise=white]"), alone = parse_model("bswarm[interaction=off]");
+  const auto searches = [](const ModelChoice& m, const char* name) {
+    const auto rows = SearchSpace(m, kScales, {}).searched();
+    return std::count(rows.begin(), rows.end(), row(m, name)) == 1;
+  };
+  EXPECT_TRUE(searches(curl, "scale"));
+  EXPECT_FALSE(searches(curl, "lambda"));
+  EXPECT_FALSE(searches(white, "scale"));
+  EXPECT_TRUE(searches(white, "lambda"));
+  EXPECT_FALSE(searches(alone, "chi_att"));
+}
+
+TEST(SearchSpace, SetFixAndBoundsAreObeyed) {
+  const auto model = parse_model("bswarm");
+  ParameterRequests requests;
+  requests.set["gamma"] = 0.03;
+  requests.fix["bswarm.scale"] = true;
+  requests.bounds["chi_ali"] = {10, 20};
+  const SearchSpace space(model, kScales, requests);
+  const auto low = space.parameters(Point::Zero(space.dimensions()));
+  const auto high = space.parameters(Point::Ones(space.dimensions()));
+  EXPECT_EQ(low[row(model, "gamma")], 0.03);
+  EXPECT_EQ(high[row(model, "gamma")], 0.03);
+  EXPECT_EQ(low[row(model, "scale")], high[row(model, "scale")]);
+  EXPECT_EQ(low[row(model, "chi_ali")], 10);
+  EXPECT_EQ(high[row(model, "chi_ali")], 20);
+}
+
+TEST(SearchSpace, DescribeMarksWhatLiesOnABound) {
+  const auto model = parse_model("bswarm");
+  const SearchSpace space(model, kScales, {});
+  Point x = Point::Constant(space.dimensions(), 0.5);
+  x[0] = 0.999;
+  const auto rows = space.describe(x, "mm");
+  EXPECT_EQ(rows.front().name, "gamma");
+  EXPECT_TRUE(rows.front().at_bound);
+  EXPECT_EQ(rows.front().unit, "1/mm");
+  EXPECT_FALSE(rows[1].at_bound);
+}
+
+TEST(SearchSpace, EmptyBoundsAreRefused) {
+  ParameterRequests requests;
+  requests.bounds["gamma"] = {2, 1};
+  EXPECT_THROW(SearchSpace(parse_model("bswarm"), kScales, requests), InputError);
+}
+
+TEST(CheckRequests, NamesTheParametersThereAre) {
+  ParameterRequests requests;
+  requests.set["gama"] = 1;
+  try {
+    check_requests(requests, {parse_model("bswarm")});
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("--set gama"));
+    EXPECT_THAT(e.what(), HasSubstr("gamma"));
+  }
+}
+
+}  // namespace
+}  // namespace swarmfit
