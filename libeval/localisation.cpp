@@ -117,6 +117,11 @@ std::optional<AxisError> axis_error(const Tracks& tracks, Index axis) {
   return out;
 }
 
+double squared_iqr(const std::vector<double>& values) {
+  const double range = quantile(values, 0.75) - quantile(values, 0.25);
+  return range * range;
+}
+
 double share(double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0; }
 
 }  // namespace
@@ -171,11 +176,9 @@ PerMetric<double> error_share(const Tracks& tracks, const Eigen::Array3d& sigma,
   const MetricSamples once = metric_samples(tracks), twice = metric_samples(with_error(tracks, sigma, seed));
   PerMetric<double> out;
   for (std::size_t m = 0; m < kMetrics; ++m) {
-    Moments before, after;
-    for (const double x : once.values[m]) before.add(x);
-    for (const double x : twice.values[m]) after.add(x);
-    const double variance = before.sd() * before.sd(), risen = after.sd() * after.sd();
-    out[m] = variance > 0 && std::isfinite(risen) ? std::clamp(risen / variance - 1, 0.0, 1.0) : std::numeric_limits<double>::quiet_NaN();
+    const double before = squared_iqr(once.values[m]), after = squared_iqr(twice.values[m]);
+    const bool defined = before > 0 && std::isfinite(after);
+    out[m] = defined ? std::clamp(after / before - 1, 0.0, 1.0) : std::numeric_limits<double>::quiet_NaN();
   }
   return out;
 }
