@@ -64,11 +64,13 @@ class Assembly {
   void check_columns() {
     if (table_.track.empty()) fail("there are no rows; expected at least one");
     if (!has(Column::frame) && !has(Column::t)) fail("there is neither a frame nor a time column; expected frame or t");
-    for (const auto& vector : {kVelocity, kAcceleration}) {
-      const bool some = has(vector[0]) || has(vector[1]) || has(vector[2]);
-      if (some && !complete(vector))
-        note(fmt::format("an incomplete {} was left out", &vector == &kVelocity ? "velocity" : "acceleration"));
-    }
+    note_if_incomplete(kVelocity, "velocity");
+    note_if_incomplete(kAcceleration, "acceleration");
+  }
+
+  void note_if_incomplete(const std::array<Column, 3>& vector, std::string_view name) {
+    const bool some = has(vector[0]) || has(vector[1]) || has(vector[2]);
+    if (some && !complete(vector)) note(fmt::format("the recorded {} lacks a component and was left out", name));
   }
 
   // Frame rate and unit come from the file or from the user; both are asked for at once.

@@ -52,8 +52,9 @@ void fill_gaps(TrackColumns& columns, int most, std::vector<std::string>& notes)
     ++gaps;
     for (auto frame = from + 1; frame < to; ++frame) add(frame, static_cast<double>(frame - from) / static_cast<double>(to - from));
   }
-  notes.push_back(
-      fmt::format("{} missing rows in {} gaps of at most {} frames were filled by linear interpolation", sources.size() - n, gaps, most));
+  const std::size_t added = sources.size() - n;
+  notes.push_back(fmt::format("{} missing row{} in {} gap{} of at most {} frames were filled by linear interpolation", added,
+                              added == 1 ? "" : "s", gaps, gaps == 1 ? "" : "s", most));
   columns.pos = interpolated(columns.pos, sources);
   columns.vel = interpolated(columns.vel, sources);
   columns.acc = interpolated(columns.acc, sources);

@@ -14,7 +14,7 @@ namespace {
 using Times = std::vector<double>;  // of one individual, ascending
 
 // Enough of the recording to know its interval: at most this many rows are looked at.
-constexpr std::size_t kSampleRows = 200'000;
+constexpr std::size_t kSampleRows = 50'000;
 
 std::vector<Times> sample(std::span<const double> time, std::span<const std::size_t> first) {
   const std::size_t tracks = first.size() - 1;
@@ -27,23 +27,25 @@ std::vector<Times> sample(std::span<const double> time, std::span<const std::siz
   return groups;
 }
 
-// Cut where more than one frame passes.
-std::vector<Times> unbroken(const std::vector<Times>& groups, double dt) {
-  std::vector<Times> runs;
+// Every individual cut into pieces of at most this duration.
+std::vector<Times> pieces(const std::vector<Times>& groups, double duration) {
+  std::vector<Times> out;
   for (const auto& group : groups) {
     for (std::size_t i = 0; i < group.size(); ++i) {
-      if (i == 0 || group[i] - group[i - 1] > 1.5 * dt) runs.emplace_back();
-      runs.back().push_back(group[i]);
+      if (i == 0 || group[i] - out.back().front() > duration) out.emplace_back();
+      out.back().push_back(group[i]);
     }
   }
-  return runs;
+  return out;
 }
 
-std::vector<Times> together(const std::vector<Times>& groups) {
+// Times from all over the recording, ascending.
+Times overview(std::span<const double> time) {
+  const std::size_t stride = std::max<std::size_t>(1, time.size() / kSampleRows);
   Times all;
-  for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());
+  for (std::size_t i = 0; i < time.size(); i += stride) all.push_back(time[i]);
   std::sort(all.begin(), all.end());
-  return {all};
+  return all;
 }
 
 Times differences(const std::vector<Times>& groups) {
@@ -54,8 +56,8 @@ Times differences(const std::vector<Times>& groups) {
   return out;
 }
 
-double median(Times values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+double lower_median(Times values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
@@ -131,27 +133,36 @@ Guess refine(const std::vector<Times>& groups, const Times& steps, double dt) {
     ++count;
   }
   if (count > 0) dt = sum / count;
-  dt = refined(unbroken(groups, dt), dt);
-  for (int i = 0; i < 2; ++i) dt = refined(groups, dt);
+  double longest = 0;
+  for (const auto& group : groups) longest = std::max(longest, group.back() - group.front());
+  for (double horizon = 4; horizon * dt < longest; horizon *= 4) dt = refined(pieces(groups, horizon * dt), dt);
+  dt = refined(groups, dt);
   return {dt, jitter(groups, dt)};
 }
 
+// Share of the steps that are one frame long.
+double share_of_single_steps(const Times& steps, double dt) {
+  const auto single = std::count_if(steps.begin(), steps.end(), [&](double d) { return std::round(d / dt) == 1; });
+  return static_cast<double>(single) / static_cast<double>(steps.size());
+}
+
+// The median step and its fractions compete by jitter. A fraction needs steps that are one frame long: times written with two decimals are
+// exact multiples of 0.01 s at any frame rate.
 Guess best_guess(const std::vector<Times>& groups, const Times& steps) {
-  const double middle = median(steps);
-  Guess first{};
   constexpr int most_missed = 8;
-  for (int m = 1; m <= most_missed; ++m) {
+  constexpr double least_share = 0.05, clean = 0.01;
+  const double middle = lower_median(steps);
+  Guess best = refine(groups, steps, middle);
+  for (int m = 2; m <= most_missed && best.jitter > clean; ++m) {
     const Guess guess = refine(groups, steps, middle / m);
-    if (guess.jitter <= kLargestJitter) return guess;
-    if (m == 1) first = guess;
+    if (guess.jitter < best.jitter && share_of_single_steps(steps, guess.dt) >= least_share) best = guess;
   }
-  return first;
+  return best;
 }
 
 // Numbers the frames of each individual by its own clock phase, so that an individual on the edge between two frames stays on one side.
 void number_frames(FrameClock& clock, std::span<const double> time, std::span<const std::size_t> first, double origin) {
   const double offset = std::round(origin / clock.dt);
-  clock.t0 = origin - offset * clock.dt;
   clock.frame.resize(time.size());
   for (std::size_t k = 0; k + 1 < first.size(); ++k) {
     const auto times = time.subspan(first[k], first[k + 1] - first[k]);
@@ -161,14 +172,24 @@ void number_frames(FrameClock& clock, std::span<const double> time, std::span<co
       worst = std::max(worst, std::abs(u - std::round(u)));
     }
     const double own = worst > 0.25 ? phase(times, origin, clock.dt) : 0;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      const double k_frame = std::round((times[i] - origin - own) / clock.dt);
-      clock.frame[first[k] + i] = static_cast<std::int64_t>(k_frame + offset);
-      clock.deviation = std::max(clock.deviation, std::abs(times[i] - origin - k_frame * clock.dt));
-    }
+    for (std::size_t i = 0; i < times.size(); ++i)
+      clock.frame[first[k] + i] = static_cast<std::int64_t>(std::round((times[i] - origin - own) / clock.dt) + offset);
   }
-  // Less than the precision of the time stamps.
-  if (std::abs(clock.t0) <= clock.deviation + 1e-9 * clock.dt) clock.t0 = 0;
+  clock.t0 = origin - offset * clock.dt;
+}
+
+// The largest deviation. A time of frame 0 that is smaller than it, and small beside a frame, is not known to differ from 0.
+void measure_deviation(FrameClock& clock, std::span<const double> time) {
+  const auto largest = [&] {
+    double out = 0;
+    for (std::size_t i = 0; i < time.size(); ++i)
+      out = std::max(out, std::abs(time[i] - clock.t0 - static_cast<double>(clock.frame[i]) * clock.dt));
+    return out;
+  };
+  clock.deviation = largest();
+  if (clock.t0 == 0 || std::abs(clock.t0) > std::min(clock.deviation + 1e-9 * clock.dt, 0.01 * clock.dt)) return;
+  clock.t0 = 0;
+  clock.deviation = largest();
 }
 
 }  // namespace
@@ -178,7 +199,7 @@ FrameClock fit_frame_clock(std::span<const double> time, std::span<const std::si
   auto groups = sample(time, first);
   auto steps = differences(groups);
   if (steps.empty()) {  // nobody is seen twice: only the recording as a whole has differences
-    groups = together(groups);
+    groups = {overview(time)};
     steps = differences(groups);
   }
   if (steps.empty()) {
@@ -193,10 +214,11 @@ FrameClock fit_frame_clock(std::span<const double> time, std::span<const std::si
                                       guess.dt, guess.jitter);
     return clock;
   }
-  const auto all = together(groups);
-  const double joint = refined(all, guess.dt);
-  clock.dt = rounded_interval(jitter(groups, joint) <= guess.jitter + 0.01 ? joint : guess.dt, all[0].back() - all[0].front());
-  number_frames(clock, time, first, all[0][0] + phase(all[0], all[0][0], clock.dt));
+  const Times all = overview(time);
+  const double joint = refined({all}, guess.dt);
+  clock.dt = rounded_interval(jitter({all}, joint) <= guess.jitter + 0.01 ? joint : guess.dt, all.back() - all.front());
+  number_frames(clock, time, first, all[0] + phase(all, all[0], clock.dt));
+  measure_deviation(clock, time);
   return clock;
 }
 
@@ -231,13 +253,12 @@ FrameClock fit_known_frames(std::span<const double> time, std::span<const double
   for (std::size_t i = 0; i < time.size(); ++i) {
     const double r = time[i] - clock.t0 - clock.dt * frame[i];
     sum += r * r;
-    clock.deviation = std::max(clock.deviation, std::abs(r));
     clock.frame.push_back(static_cast<std::int64_t>(frame[i]));
   }
   const double rms = std::sqrt(sum / n) / clock.dt;
   if (rms > kLargestJitter)
     clock.problem = fmt::format("time and frame number disagree: by {:.2g} frames (rms) at {:.6g} s per frame", rms, clock.dt);
-  if (std::abs(clock.t0) <= clock.deviation + 1e-9 * clock.dt) clock.t0 = 0;
+  measure_deviation(clock, time);
   return clock;
 }
 

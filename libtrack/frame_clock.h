@@ -25,8 +25,8 @@ inline constexpr double kLargestJitter = 0.2;
 // Finds the frame interval of time stamps that may be rounded, jittered, have holes, and come from clocks with different phases.
 // `time` is grouped by individual and ascends within each; individual k has [first[k], first[k + 1]).
 //
-// The median difference is the first guess (then its half, third, ..., for recordings where most frames were missed). It is refined
-// by least squares of time on frame number over ever longer horizons – unbroken runs, whole individuals, the whole recording – so that
+// The median difference is the first guess; its half, third, ..., compete with it, for recordings where most frames were missed. It is
+// refined by least squares of time on frame number over ever longer horizons – four frames, sixteen, ..., the whole recording – so that
 // no rounding to a frame number has to bridge more time than the precision reached so far allows.
 FrameClock fit_frame_clock(std::span<const double> time, std::span<const std::size_t> first);
 

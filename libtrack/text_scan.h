@@ -116,6 +116,7 @@ class Fields {
       q += *q == '"' ? 2 : 1;
     }
     // A missing closing quote, or text behind it, stays in the field, where it is reported as no number.
+    if (q == end_) scratch.insert(scratch.begin(), '"');
     const char* after = q < end_ ? q + 1 : q;
     p_ = after;
     const char* stop = field_end();

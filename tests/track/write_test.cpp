@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "libtrack/write.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "libtrack/file.h"
+#include "libtrack/rng.h"
+#include "tests/track/build.h"
+
+namespace swarmfit {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+// Bits from all over the range of doubles, holes, two dimensions or three.
+Tracks awkward(int dims, bool velocity, bool kinds) {
+  TrackColumns c;
+  c.names = {"2", "10", "#c", "a, \"b\""};  // in the order in which every reader numbers individuals
+  const Rng rng{11};
+  for (std::int64_t frame = -5; frame < 40; ++frame) {
+    for (std::uint32_t track = 0; track < 4; ++track) {
+      if (rng.uniform(Stream::probe, static_cast<std::uint64_t>(frame + 5), track) < 0.3) continue;
+      c.frame.push_back(frame);
+      c.track.push_back(track);
+      if (kinds) c.kind.push_back(static_cast<std::uint8_t>(track));
+    }
+  }
+  const auto n = static_cast<Index>(c.frame.size());
+  const auto fill = [&](Rows& rows, std::uint32_t draw) {
+    rows = Rows::Zero(n, 3);
+    for (Index i = 0; i < n; ++i)
+      for (int axis = 0; axis < dims; ++axis) {
+        const auto u = rng.uniform2(Stream::probe, static_cast<std::uint64_t>(i), static_cast<std::uint32_t>(axis), draw);
+        rows(i, axis) = (u[0] - 0.5) * std::pow(10.0, std::floor(600 * (u[1] - 0.5)));
+      }
+  };
+  fill(c.pos, 1);
+  c.pos(0, 0) = -0.0;
+  c.pos(1, 0) = std::numeric_limits<double>::denorm_min();
+  c.pos(2, 0) = std::numeric_limits<double>::max();
+  if (velocity) {
+    fill(c.vel, 2);
+    c.vel(3, 1) = std::numeric_limits<double>::quiet_NaN();
+    fill(c.acc, 3);
+  }
+  c.episodes = {7, 20};
+  TrackMeta meta;
+  meta.dims = dims;
+  meta.dt = 1.0 / 29.97;
+  meta.t0 = 0.1234567890123456789;
+  meta.unit = "mm";
+  meta.from.synthetic = kinds;
+  return Tracks(std::move(c), meta);
+}
+
+void expect_same_bits(const Rows& a, const Rows& b) {
+  ASSERT_EQ(a.rows(), b.rows());
+  for (Index i = 0; i < a.size(); ++i) {
+    if (std::isnan(a.data()[i])) {
+      EXPECT_TRUE(std::isnan(b.data()[i]));
+    } else {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(a.data()[i]), std::bit_cast<std::uint64_t>(b.data()[i])) << a.data()[i];
+    }
+  }
+}
+
+TEST(WriteCsv, ReadingBackGivesTheSameBitsWithoutAnyFlag) {
+  for (const int dims : {2, 3}) {
+    for (const bool more : {false, true}) {
+      SCOPED_TRACE(testing::Message() << dims << " " << more);
+      const auto before = awkward(dims, more, more);
+      const auto after = read(to_csv(before));
+      expect_same_bits(before.pos(), after.pos());
+      expect_same_bits(before.vel(), after.vel());
+      expect_same_bits(before.acc(), after.acc());
+      EXPECT_TRUE(std::ranges::equal(before.frame(), after.frame()));
+      EXPECT_TRUE(std::ranges::equal(before.track(), after.track()));
+      EXPECT_TRUE(std::ranges::equal(before.next(), after.next()));
+      EXPECT_TRUE(std::ranges::equal(before.episodes(), after.episodes()));
+      for (Index i = 0; i < before.rows(); ++i) EXPECT_EQ(before.kind(i), after.kind(i));
+      EXPECT_THAT(after.names(), testing::UnorderedElementsAreArray(before.names()));
+      EXPECT_EQ(after.dims(), dims);
+      EXPECT_EQ(after.dt(), before.dt());
+      EXPECT_EQ(after.meta().t0, before.meta().t0);
+      EXPECT_EQ(after.meta().unit, "mm");
+      EXPECT_EQ(after.meta().from.synthetic, more);
+      EXPECT_THAT(after.meta().from.notes, IsEmpty());
+      EXPECT_EQ(to_csv(after), to_csv(before));
+    }
+  }
+}
+
+TEST(WriteCsv, TheTextItself) {
+  TrackColumns c;
+  c.names = {"5"};
+  c.track = {0, 0};
+  c.frame = {2, 3};
+  c.pos = Rows::Zero(2, 3);
+  c.pos(1, 0) = 0.1;
+  EXPECT_EQ(to_csv(Tracks(c, {.dims = 2, .dt = 0.25, .t0 = 0, .unit = "m", .from = {}})),
+            "# unit: m\n# fps: 4\n# frame interval: 0.25 s\n# time of frame 0: 0 s\nid,frame,t,x,y\n5,2,0.5,0,0\n5,3,0.75,0.1,0\n");
+}
+
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / "swarmfit_write_test") { std::filesystem::create_directories(path_); }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  long entries() const { return std::distance(std::filesystem::directory_iterator(path_), {}); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+TEST(WriteFile, ReplacesTheWholeFileAndLeavesNothingElse) {
+  const Folder folder;
+  write_file_atomically(folder.file("a"), "a long first content");
+  write_file_atomically(folder.file("a"), "short");
+  EXPECT_EQ(read_file(folder.file("a")), "short");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WriteFile, AFailureKeepsTheOldFileAndLeavesNothingElse) {
+  const Folder folder;
+  std::filesystem::create_directories(folder.file("a"));
+  std::filesystem::create_directories(folder.file("b"));
+  EXPECT_THAT([&] { write_file_atomically(folder.file("a"), "x"); }, testing::ThrowsMessage<RunError>(HasSubstr("cannot be written")));
+  EXPECT_THAT([&] { write_file_atomically(folder.file("no/such/folder"), "x"); },
+              testing::ThrowsMessage<RunError>(HasSubstr("No such file")));
+  EXPECT_EQ(folder.entries(), 2);
+}
+
+TEST(WriteFile, DevicesAreWrittenDirectly) {
+  write_file_atomically("/dev/null", "x");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_THAT([] { write_file_atomically("/dev/full", "x"); },
+              testing::ThrowsMessage<RunError>(StartsWith("/dev/full: cannot be written: No space")));
+}
+
+// FIPS 180-4 examples.
+TEST(Sha256, KnownAnswers) {
+  EXPECT_EQ(sha256_hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+}  // namespace
+}  // namespace swarmfit
