@@ -110,15 +110,46 @@ double jitter(const std::vector<Times>& groups, double dt) {
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, n)));
 }
 
-// A round number close enough that no frame of the recording moves by more than a hundredth of a frame: 1/60 for 0.016666667.
-double rounded_interval(double dt, double span) {
-  const double frames = std::max(1.0, span / dt);
-  const auto close = [&](double candidate) { return std::abs(candidate / dt - 1) * frames <= 0.01; };
-  const double by_rate = 1 / (std::round(1 / dt * 1000) / 1000), by_interval = std::round(dt * 1e6) / 1e6;
-  if (1 / dt >= 1 && close(1 / std::round(1 / dt))) return 1 / std::round(1 / dt);
-  if (by_interval > 0 && close(by_interval)) return by_interval;
-  if (std::isfinite(by_rate) && close(by_rate)) return by_rate;
+// A round number (1/60 for 0.016666667) that explains the times as well: over the whole recording it drifts by no more than their jitter,
+// and never by more than a hundredth of a frame.
+double rounded_interval(double dt, double span, double jitter_rms) {
+  const double frames = std::max(1.0, span / dt), allowed = std::clamp(jitter_rms, 1e-9, 0.01);
+  const auto close = [&](double candidate) {
+    return candidate > 0 && std::isfinite(candidate) && std::abs(candidate / dt - 1) * frames <= allowed;
+  };
+  for (const double candidate : {1 / std::round(1 / dt), std::round(dt * 1e6) / 1e6, 1000 / std::round(1000 / dt)})
+    if (close(candidate)) return candidate;
   return dt;
+}
+
+// time = t0 + dt * frame by least squares.
+struct Line {
+  double dt = 0, t0 = 0;
+  double deviation = 0;  // root mean square, in frames
+};
+
+Line fit_line(std::span<const double> time, std::span<const double> frame) {
+  const double n = static_cast<double>(time.size());
+  double mean_k = 0, mean_t = 0, numerator = 0, denominator = 0, squares = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    mean_k += (frame[i] - frame[0]) / n;
+    mean_t += (time[i] - time[0]) / n;
+  }
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double k = frame[i] - frame[0] - mean_k;
+    numerator += k * (time[i] - time[0] - mean_t);
+    denominator += k * k;
+  }
+  Line line;
+  if (denominator == 0) return line;
+  line.dt = numerator / denominator;
+  line.t0 = time[0] + mean_t - line.dt * (frame[0] + mean_k);
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double r = time[i] - line.t0 - line.dt * frame[i];
+    squares += r * r;
+  }
+  line.deviation = std::sqrt(squares / n) / std::abs(line.dt);
+  return line;
 }
 
 struct Guess {
@@ -216,7 +247,8 @@ FrameClock fit_frame_clock(std::span<const double> time, std::span<const std::si
   }
   const Times all = overview(time);
   const double joint = refined({all}, guess.dt);
-  clock.dt = rounded_interval(jitter({all}, joint) <= guess.jitter + 0.01 ? joint : guess.dt, all.back() - all.front());
+  const bool one_clock = jitter({all}, joint) <= guess.jitter + 0.01;
+  clock.dt = rounded_interval(one_clock ? joint : guess.dt, all.back() - all.front(), guess.jitter);
   number_frames(clock, time, first, all[0] + phase(all, all[0], clock.dt));
   measure_deviation(clock, time);
   return clock;
@@ -224,41 +256,23 @@ FrameClock fit_frame_clock(std::span<const double> time, std::span<const std::si
 
 FrameClock fit_known_frames(std::span<const double> time, std::span<const double> frame) {
   FrameClock clock;
-  const double n = static_cast<double>(time.size());
-  double mean_k = 0, mean_t = 0, numerator = 0, denominator = 0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    mean_k += (frame[i] - frame[0]) / n;
-    mean_t += (time[i] - time[0]) / n;
-  }
-  double low = frame[0], high = frame[0];
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const double k = frame[i] - frame[0] - mean_k;
-    numerator += k * (time[i] - time[0] - mean_t);
-    denominator += k * k;
-    low = std::min(low, frame[i]);
-    high = std::max(high, frame[i]);
-  }
-  if (denominator == 0) {
+  for (const double f : frame) clock.frame.push_back(static_cast<std::int64_t>(f));
+  const auto [low, high] = std::minmax_element(frame.begin(), frame.end());
+  if (*low == *high) {
     clock.problem = "all rows are in one frame";
     return clock;
   }
-  clock.dt = numerator / denominator;
-  if (!(clock.dt > 0)) {
+  Line line = fit_line(time, frame);
+  const double rounded = rounded_interval(line.dt, line.dt * (*high - *low), line.deviation);
+  line.t0 += (line.dt - rounded) * (*low + *high) / 2;
+  clock.dt = rounded;
+  clock.t0 = line.t0;
+  if (!(line.dt > 0))
     clock.problem = "the time does not grow with the frame number";
-    return clock;
-  }
-  clock.dt = rounded_interval(clock.dt, clock.dt * (high - low));
-  clock.t0 = time[0] + mean_t - clock.dt * (frame[0] + mean_k);
-  double sum = 0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const double r = time[i] - clock.t0 - clock.dt * frame[i];
-    sum += r * r;
-    clock.frame.push_back(static_cast<std::int64_t>(frame[i]));
-  }
-  const double rms = std::sqrt(sum / n) / clock.dt;
-  if (rms > kLargestJitter)
-    clock.problem = fmt::format("time and frame number disagree: by {:.2g} frames (rms) at {:.6g} s per frame", rms, clock.dt);
-  measure_deviation(clock, time);
+  else if (line.deviation > kLargestJitter)
+    clock.problem = fmt::format("time and frame number disagree: by {:.2g} frames (rms) at {:.6g} s per frame", line.deviation, line.dt);
+  else
+    measure_deviation(clock, time);
   return clock;
 }
 
