@@ -197,4 +197,10 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   return result;
 }
 
+std::vector<double> parameter_values(const ModelChoice& model, const FitResult& fit) {
+  std::vector<double> values(model.spec->parameters.size(), 0.0);
+  for (const auto& p : fit.parameters) values[static_cast<std::size_t>(model.spec->find(p.name))] = p.value;
+  return values;
+}
+
 }  // namespace swarmfit

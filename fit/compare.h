@@ -54,4 +54,7 @@ struct Interrupted {};
 
 Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress = {});
 
+// Every row of the model's parameter table with the fitted values: what Objective and plant() take. Rows that the settings do not use are 0.
+std::vector<double> parameter_values(const ModelChoice& model, const FitResult& fit);
+
 }  // namespace swarmfit

@@ -34,6 +34,21 @@ void warn_of_data(const Comparison& r, std::vector<std::string>& out) {
               "give it with --obs-noise, or compare with --obs-noise 0.");
 }
 
+// Energies of one run move together, so the total's scatter is taken over replicates and not summed over metrics.
+void warn_of_step(const FitResult& m, const Comparison& r, std::vector<std::string>& out) {
+  const auto total = [&](const Energies& raw) {
+    double sum = 0;
+    for (std::size_t j = 0; j < kMetrics; ++j) sum += r.weights[j] > 0 ? raw[j] : 0;
+    return sum;
+  };
+  Moments single;
+  for (const auto& raw : m.replicate_energies) single.add(total(raw));
+  const double se = single.sd() / std::sqrt(static_cast<double>(single.count));
+  const double before = total(m.raw_energies), after = total(m.half_step_energies);
+  if (std::abs(after - before) > kStandardErrors * std::sqrt(2.0) * se)
+    warn(out, "{}: half the time step changes its total energy from {:.3g} to {:.3g}, more than chance would.", m.model, before, after);
+}
+
 void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::string>& out) {
   std::vector<std::string> bounds;
   for (const auto& p : m.parameters)
@@ -46,13 +61,7 @@ void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::strin
   if (m.failed_final > 0) warn(out, "{}: {:.0f} % of the final simulations blew up and count with the worst energy.", m.model, 100 * m.failed_final);
   if (m.infeasible_avoidance > kInfeasible)
     warn(out, "{}: no collision-free velocity existed in {:.0f} % of all agent-steps.", m.model, 100 * m.infeasible_avoidance);
-  double before = 0, after = 0, se = 0;
-  for (std::size_t j = 0; j < kMetrics; ++j) {
-    if (!(r.weights[j] > 0)) continue;
-    before += m.raw_energies[j], after += m.half_step_energies[j], se += m.raw_se[j] * m.raw_se[j];
-  }
-  if (std::abs(after - before) > kStandardErrors * std::sqrt(2 * se))
-    warn(out, "{}: half the time step changes its total energy from {:.3g} to {:.3g}; the step is too long for it.", m.model, before, after);
+  warn_of_step(m, r, out);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fit/results.h"
+#include "libeval/evaluation.h"
 #include "libeval/summary.h"
 #include "reports/values.h"
 

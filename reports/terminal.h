@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit/results.h"
+#include "libeval/evaluation.h"
 #include "libeval/summary.h"
 #include "reports/text_table.h"
 #include "reports/values.h"

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// evaluate and weigh.
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+
+#include "cli/commands.h"
+#include "cli/settings.h"
+#include "cli/style.h"
+#include "libeval/evaluation.h"
+#include "libtrack/file.h"
+#include "reports/json.h"
+#include "reports/terminal.h"
+
+namespace swarmfit::cli {
+
+int evaluate(const EvaluateArguments& a) {
+  use_threads(a.common);
+  DataArguments simulated = a.real;
+  simulated.path = a.simulated;
+  if (!a.simulated_columns.empty()) simulated.columns = a.simulated_columns;
+  const MetricOptions options{a.velocity == "recorded" ? VelocitySource::recorded : VelocitySource::difference};
+  const Evaluation result = swarmfit::evaluate(load(a.real), load(simulated), binning(a.normalisation, a.bins), options);
+  std::fputs((a.common.json ? to_json(result) : evaluation_text(result, style())).c_str(), stdout);
+  return 0;
+}
+
+int weigh(const WeighArguments& a) {
+  const bool standard_input = a.table == "-";
+  const std::string csv = standard_input ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : read_file(a.table);
+  const WeighedTable result = swarmfit::weigh(standard_input ? "standard input" : a.table, csv);
+  std::fputs((a.common.json ? to_json(result) : weights_text(result, style())).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace swarmfit::cli
