@@ -159,9 +159,13 @@ Json model(const FitResult& r) {
           {"convergence", convergence(r.convergence)}};
 }
 
+// Settings are TOML values; strings, numbers and lists of them are JSON as well.
 Json config(const std::vector<std::pair<std::string, std::string>>& settings) {
   Json out = Json::object();
-  for (const auto& [key, value] : settings) out[key] = value;
+  for (const auto& [key, value] : settings) {
+    Json parsed = Json::parse(value, nullptr, false);
+    out[key] = parsed.is_discarded() ? Json(value) : std::move(parsed);
+  }
   return out;
 }
 

@@ -28,6 +28,14 @@ std::string rounded(double value, int significant) {
   return decimals >= 0 ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.0f}", std::strtod(scientific.c_str(), nullptr));
 }
 
+std::string brief(double value, int significant) {
+  std::string text = rounded(value, significant);
+  if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 std::string percent(double share) {
   if (!std::isfinite(share)) return kUndefined;
   const double value = 100 * share;

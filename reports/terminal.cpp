@@ -43,7 +43,7 @@ std::string bullets(const std::string& title, const std::vector<std::string>& it
 std::string data_line(const DataFacts& d) {
   return fmt::format("{}{} · {}-D · {} · {} at {} s · {} individuals per frame", printable(d.path), d.synthetic ? " (synthetic)" : "",
                      d.dims, counted(static_cast<std::int64_t>(d.tracks), "track"), counted(static_cast<std::int64_t>(d.frames), "frame"),
-                     rounded(d.dt), rounded(d.individuals_per_frame));
+                     brief(d.dt), brief(d.individuals_per_frame, 3));
 }
 
 TextTable ranking_table(const Comparison& c, TextStyle style) {
@@ -103,7 +103,7 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   out += paragraph(answer.detail) + '\n';
 
   const TextTable table = ranking_table(c, style);
-  const std::string over = fmt::format("raw energy per metric (0 alike .. {} disjoint)", rounded(worst_energy(c.binning)));
+  const std::string over = fmt::format("raw energy per metric (0 alike .. {} disjoint)", brief(worst_energy(c.binning)));
   out += std::string(table.column_start(3), ' ') + paint(over, Paint::dim, style) + '\n' + table.text();
 
   out += bullets("In brackets: shown, but left out of the score", left_out(c, style), Paint::bold, style);
@@ -125,17 +125,16 @@ TextTable contents_table(const TrackMeta& meta, const Summary& s, TextStyle styl
          fmt::format("in {} unbroken segments; {} with {} missing frames", count_of(s.segments),
                      counted(static_cast<std::int64_t>(s.gaps), "gap"), count_of(s.missing_frames))});
   t.row({"frames", count_of(s.frames),
-         fmt::format("numbers {} to {}, {} s at {} Hz", s.first_frame, s.last_frame, rounded(s.duration, 4), rounded(1 / meta.dt, 4))});
+         fmt::format("numbers {} to {}, {} s at {} Hz", s.first_frame, s.last_frame, brief(s.duration), brief(1 / meta.dt))});
   t.row({"observations", counted(s.rows), ""});
   for (int axis = 0; axis < meta.dims; ++axis)
-    t.row({std::string("range of ") + "xyz"[axis], "",
-           fmt::format("{} to {} {}", rounded(s.lower[axis], 4), rounded(s.upper[axis], 4), meta.unit)});
+    t.row({std::string("range of ") + "xyz"[axis], "", fmt::format("{} to {} {}", brief(s.lower[axis]), brief(s.upper[axis]), meta.unit)});
   return t;
 }
 
 void quantile_row(TextTable& t, const std::string& what, const Quantiles& q, const std::string& unit, const std::string& note = "") {
-  t.row({what, rounded(q.median), rounded(q.q05) + " – " + rounded(q.q95), rounded(q.min) + " – " + rounded(q.max), rounded(q.mean),
-         rounded(q.sd), unit, note});
+  t.row({what, brief(q.median, 3), brief(q.q05, 3) + " – " + brief(q.q95, 3), brief(q.min, 3) + " – " + brief(q.max, 3), brief(q.mean, 3),
+         brief(q.sd, 3), unit, note});
 }
 
 TextTable quantile_table(const TrackMeta& meta, const Summary& s, TextStyle style) {
@@ -172,7 +171,7 @@ std::string suspicion_text(const Suspicion& s) {
 
 std::string describe_text(const TrackMeta& meta, const Summary& s, TextStyle style) {
   std::string out = paint(printable(meta.from.path), Paint::bold, style) + (meta.from.synthetic ? " (synthetic)" : "") + '\n';
-  out += paragraph(fmt::format("{}-D positions in {}, one frame every {} s; read as {}{}", meta.dims, meta.unit, rounded(meta.dt, 6),
+  out += paragraph(fmt::format("{}-D positions in {}, one frame every {} s; read as {}{}", meta.dims, meta.unit, brief(meta.dt, 6),
                                meta.from.format, meta.from.columns.empty() ? "" : ", columns " + meta.from.columns)) +
          '\n';
   out += contents_table(meta, s, style).text() + '\n';
@@ -208,7 +207,7 @@ std::string evaluation_text(const Evaluation& e, TextStyle style) {
   const auto source = [](const TrackMeta& meta) { return printable(meta.from.path) + (meta.from.synthetic ? " (synthetic)" : ""); };
   std::string out = fmt::format("recording   {}\nsimulation  {}\n\n", source(e.real), source(e.simulated));
   out += t.text() + '\n' + order.text() + '\n';
-  out += paragraph(fmt::format("Energy: 0 for the same distribution, {} for disjoint ones.", rounded(worst_energy(e.binning))));
+  out += paragraph(fmt::format("Energy: 0 for the same distribution, {} for disjoint ones.", brief(worst_energy(e.binning))));
   return finish(std::move(out), style);
 }
 

@@ -38,7 +38,7 @@ std::string main_misfit(const Comparison& c, const FitResult& winner) {
   }
   if (worst == kMetrics) return {};
   return fmt::format("Its largest misfit is in the {} (energy {} of at most {}).", kMetricInfo[worst].name,
-                     fixed(winner.raw_energies[worst], 2), rounded(worst_energy(c.binning)));
+                     fixed(winner.raw_energies[worst], 2), brief(worst_energy(c.binning)));
 }
 
 Headline single(const Comparison& c, const FitResult& only) {

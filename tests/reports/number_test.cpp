@@ -28,6 +28,16 @@ TEST(Number, RoundedKeepsSignificantDigits) {
   EXPECT_EQ(rounded(NAN), "–");
 }
 
+TEST(Number, BriefDropsTrailingZeros) {
+  EXPECT_EQ(brief(0.01), "0.01");
+  EXPECT_EQ(brief(100), "100");
+  EXPECT_EQ(brief(48.62, 3), "48.6");
+  EXPECT_EQ(brief(20.0), "20");
+  EXPECT_EQ(brief(1.5e-9), "1.5e-09");
+  EXPECT_EQ(brief(0), "0");
+  EXPECT_EQ(brief(NAN), "–");
+}
+
 TEST(Number, FixedHasNoNegativeZero) {
   EXPECT_EQ(fixed(-0.0004, 3), "0.000");
   EXPECT_EQ(fixed(-0.0006, 3), "-0.001");

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "reports/html.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "libtrack/error.h"
+#include "reports/assets.h"
+#include "reports/html_sections.h"
+#include "reports/html_table.h"
+#include "reports/number.h"
+#include "reports/run_directory.h"
+#include "reports/tables.h"
+#include "reports/words.h"
+
+namespace swarmfit {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// ---- numbers for the charts ---------------------------------------------------------------------------------------------------
+
+// Five digits are more than a screen can show and keep the page small.
+Json short_number(double value) { return std::isfinite(value) ? Json::parse(fmt::format("{:.5g}", value)) : Json(); }
+
+template <class Values>
+Json short_numbers(const Values& values) {
+  Json out = Json::array();
+  for (const double value : values) out.push_back(short_number(value));
+  return out;
+}
+
+Json metric_data(const Comparison& c, std::size_t m) {
+  const MetricInfo& info = kMetricInfo[m];
+  Json models = Json::array();
+  for (const FitResult& r : c.models) models.push_back(short_numbers(physical_density(r.distributions[m].histogram, c.axis_width[m])));
+  return {{"key", info.key},
+          {"symbol", info.symbol},
+          {"name", info.name},
+          {"unit", metric_unit(m, c.data.unit)},
+          {"density_unit", density_unit(m, c.data.unit)},
+          {"counts", counts(c, m)},
+          {"lower", c.axis_lower[m]},
+          {"width", c.axis_width[m]},
+          {"recording", short_numbers(physical_density(c.recording[m].histogram, c.axis_width[m]))},
+          {"models", std::move(models)}};
+}
+
+Json model_data(const FitResult& r) {
+  Json convergence = Json::array();
+  for (const ConvergencePoint& p : r.convergence) convergence.push_back({p.pass, p.evaluations, short_number(p.best)});
+  return {{"name", r.model},
+          {"energies", short_numbers(r.raw_energies)},
+          {"errors", short_numbers(r.raw_se)},
+          {"convergence", std::move(convergence)}};
+}
+
+Json chart_data(const Comparison& c) {
+  Json metrics = Json::array(), models = Json::array(), history = Json::array();
+  for (std::size_t m = 0; m < kMetrics; ++m) metrics.push_back(metric_data(c, m));
+  for (const FitResult& r : c.models) models.push_back(model_data(r));
+  for (const WeightStep& s : c.weight_history) history.push_back({{"pass", s.pass}, {"weights", short_numbers(s.weights)}});
+  return {{"metrics", std::move(metrics)},
+          {"models", std::move(models)},
+          {"weights", short_numbers(c.weights)},
+          {"history", std::move(history)}};
+}
+
+// JSON that cannot end the script element it stands in.
+std::string embedded(const Json& json) {
+  std::string out;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
+  }
+  return out;
+}
+
+// ---- the page -----------------------------------------------------------------------------------------------------------------
+
+// A source expression of the content security policy: exactly this text may run.
+std::string allowed(std::string_view text) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned length = 0;
+  if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
+    throw RunError("report.html: cannot compute SHA-256");
+  std::array<unsigned char, 4 * ((EVP_MAX_MD_SIZE + 2) / 3) + 1> base64{};
+  EVP_EncodeBlock(base64.data(), digest.data(), static_cast<int>(length));
+  return fmt::format("'sha256-{}'", reinterpret_cast<const char*>(base64.data()));
+}
+
+std::string policy() {
+  return fmt::format("default-src 'none'; script-src {} {}; style-src {}; base-uri 'none'; form-action 'none'", allowed(assets::chart_js),
+                     allowed(assets::report_js), allowed(assets::report_css));
+}
+
+// The template with every {{name}} replaced. What is put in is never searched again.
+std::string filled(std::string_view page, const std::map<std::string, std::string, std::less<>>& values) {
+  std::string out;
+  while (true) {
+    const std::size_t open = page.find("{{");
+    out += page.substr(0, open);
+    if (open == std::string_view::npos) return out;
+    const std::size_t close = page.find("}}", open);
+    out += values.at(std::string(page.substr(open + 2, close - open - 2)));
+    page.remove_prefix(close + 2);
+  }
+}
+
+std::map<std::string, std::string, std::less<>> page_values(const Comparison& c) {
+  const Headline answer = headline(c);
+  return {{"policy", policy()},
+          {"css", std::string(assets::report_css)},
+          {"chart_js", std::string(assets::chart_js)},
+          {"js", std::string(assets::report_js)},
+          {"data", embedded(chart_data(c))},
+          {"title", html_escaped(fmt::format("{} – swarmfit", answer.sentence))},
+          {"kind", c.command == "fit" ? "fit" : "comparison"},
+          {"badge", sections::badge(c).text},
+          {"sentence", html_escaped(answer.sentence)},
+          {"detail", html_escaped(answer.detail)},
+          {"facts", sections::data_facts(c).text},
+          {"warnings", sections::warnings(c).text},
+          {"ranking", sections::ranking(c).text},
+          {"final_replicates", std::to_string(c.final_replicates)},
+          {"worst", brief(worst_energy(c.binning))},
+          {"legend", sections::legend(c).text},
+          {"pdf_figures", sections::pdf_figures(c).text},
+          {"pdf_note", sections::pdf_note(c).text},
+          {"moments", sections::moments(c).text},
+          {"weights_converged", sections::weights_converged(c).text},
+          {"weights", sections::weights(c).text},
+          {"parameters", sections::parameters(c).text},
+          {"search", sections::search(c).text},
+          {"observation", sections::observation(c).text},
+          {"methods", sections::methods(c).text},
+          {"model_references", sections::model_references(c).text},
+          {"command", html_escaped(fmt::format("swarmfit {} --config config.toml --out NEW_FOLDER", c.command))},
+          {"provenance", sections::provenance(c).text},
+          {"config", html_escaped(config_toml(c))},
+          {"version", html_escaped(c.version)}};
+}
+
+}  // namespace
+
+std::string report_html(const Comparison& c) { return filled(assets::report_html, page_values(c)); }
+
+}  // namespace swarmfit

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// The parts about how a result came about: parameters, search, observation, methods, provenance.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/html_sections.h"
+#include "reports/number.h"
+#include "reports/words.h"
+
+namespace swarmfit::sections {
+
+namespace {
+
+// Where a value lies between its bounds, 0..1, on the scale on which it was searched.
+double place(const ParameterResult& p) {
+  if (!p.fitted || !(p.upper > p.lower)) return NAN;
+  if (p.log) return std::log(p.value / p.lower) / std::log(p.upper / p.lower);
+  return (p.value - p.lower) / (p.upper - p.lower);
+}
+
+Html parameter_table(const FitResult& r) {
+  HtmlTable table(fmt::format("Parameters of {}", r.model));
+  table.head({column("parameter"), column("symbol"), column("value", true), column("unit"), column("searched from", true),
+              column("to", true), column("place between bounds"), column("meaning")});
+  for (const ParameterResult& p : r.parameters) {
+    Html where = place_drawing(place(p), p.at_bound);
+    if (p.at_bound) where += markup(" <span class=\"flag\">on a bound</span>");
+    if (!p.fitted) where = markup("<span class=\"note\">not searched</span>");
+    table.row({name_cell(escaped(p.name)),
+               text_cell(p.symbol),
+               number_cell(rounded(p.value, 4)),
+               text_cell(p.unit),
+               number_cell(p.fitted ? rounded(p.lower) : ""),
+               number_cell(p.fitted ? rounded(p.upper) : ""),
+               {.content = where},
+               text_cell(p.meaning)});
+  }
+  return table.html();
+}
+
+// The largest change of a raw energy when the time step is halved, among the metrics that count.
+double half_step_change(const Comparison& c, const FitResult& r) {
+  double largest = NAN;
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    const double change = std::abs(r.half_step_energies[m] - r.raw_energies[m]);
+    if (counts(c, m) && std::isfinite(change)) largest = std::isfinite(largest) ? std::max(largest, change) : change;
+  }
+  return largest;
+}
+
+std::string sigma_text(const Comparison& c) {
+  std::string out;
+  for (int axis = 0; axis < c.data.dims; ++axis)
+    out += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], rounded(c.observation.sigma[axis]));
+  return out + ' ' + c.data.unit;
+}
+
+std::string error_text(const Comparison& c) {
+  const ObservationFacts& o = c.observation;
+  if (o.error_source == "none") return "none added";
+  return fmt::format("{} ({}{})", sigma_text(c), o.error_source, o.error_source == "estimate" && !o.white ? ", but not white" : "");
+}
+
+std::string smoothing_text(const Comparison& c) {
+  return c.observation.smoothing > 0 ? fmt::format("Gaussian, {} frames, on both sides", brief(c.observation.smoothing)) : "none";
+}
+
+}  // namespace
+
+Html parameters(const Comparison& c) {
+  Html out;
+  for (std::size_t k = 0; k < c.models.size(); ++k) {
+    const FitResult& r = c.models[k];
+    Html title = key_drawing(k);
+    title += escaped(r.model);
+    out += Html{k == 0 ? "<details open>" : "<details>"};
+    out += element("summary", "", title);
+    if (!r.summary.empty()) out += element("p", "note", escaped(r.summary));
+    out += parameter_table(r);
+    out += markup("</details>\n");
+  }
+  return out;
+}
+
+Html search(const Comparison& c) {
+  HtmlTable table("What the search did");
+  table.head({column("model"), column("candidates tried", true), column("simulations", true), column("blew up", true),
+              column("final runs blown up", true), column("ended because"), column("steps per frame", true),
+              column("largest change at half the step", true), column("without collision-free velocity", true)});
+  for (std::size_t k = 0; k < c.models.size(); ++k) {
+    const FitResult& r = c.models[k];
+    Html name = key_drawing(k);
+    name += escaped(r.model);
+    table.row({name_cell(name), number_cell(counted(r.evaluations)), number_cell(counted(r.simulations)),
+               number_cell(counted(r.failed_simulations)), number_cell(percent(r.failed_final)), text_cell(r.stop_reason),
+               number_cell(std::to_string(r.substeps)), number_cell(fixed(half_step_change(c, r), 2)),
+               number_cell(percent(r.infeasible_avoidance))});
+  }
+  Html out = table.html();
+  out += element(
+      "p", "note",
+      markup(
+          "Largest change at half the step: of any raw energy that counts, when the same parameters are simulated with half the time step. "
+          "Without collision-free velocity: share of agents and steps of the final simulations."));
+  return out;
+}
+
+Html observation(const Comparison& c) {
+  const ObservationFacts& o = c.observation;
+  Html facts = fact("presence of individuals", o.presence);
+  facts += fact("arena", o.arena);
+  facts += fact("localisation error", error_text(c));
+  facts += fact("smoothing", smoothing_text(c));
+  facts += fact("velocities", o.velocity == "recorded" ? "the recording's own" : "differences of positions");
+  Html out = element("p", "", markup("Simulated positions went through the same observation as the animals before anything was compared."));
+  out += element("dl", "facts", facts);
+
+  HtmlTable table("How much of each metric is measurement error");
+  table.head({column("metric"), column(""), column("share of variance", true), column("in the score"), column("why not")});
+  for (std::size_t m = 0; m < kMetrics; ++m)
+    table.row({name_cell(escaped(kMetricInfo[m].name)), text_cell(kMetricInfo[m].symbol), number_cell(percent(o.error_share[m])),
+               text_cell(counts(c, m) ? "yes" : "no"), text_cell(why_left_out(c, m))});
+  out += table.html();
+  return out;
+}
+
+Html methods(const Comparison& c) {
+  const std::string models = fmt::format("{} model{}", c.models.size(), c.models.size() == 1 ? " was" : "s were");
+  const std::string error = c.observation.error_source == "none" ? "" : fmt::format(", localisation error ({})", sigma_text(c));
+  const std::string smooth = c.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.observation.smoothing)) : "";
+  return escaped(
+      fmt::format("{} fitted with swarmfit {} to {} frames of {} ({} individuals per frame, frame interval {} s{}). Simulations started "
+                  "from the recording's "
+                  "positions and velocities under its conditions (presence: {}, arena: {}{}{}). Parameters were searched by differential "
+                  "evolution with refinement "
+                  "inside bounds ({} replicates per candidate, budget {}), maximising the entropy-weighted score of seven motion metrics "
+                  "[1, 2]; final scores rest on "
+                  "{} fresh replicates. Seed {}.",
+                  models, c.version, c.data.frames, c.data.path, brief(c.data.individuals_per_frame, 3), brief(c.data.dt),
+                  c.data.synthetic ? ", synthetic" : "", c.observation.presence, c.observation.arena, error, smooth, c.replicates, c.budget,
+                  c.final_replicates, c.seed));
+}
+
+Html model_references(const Comparison& c) {
+  std::vector<std::string> seen;
+  Html out;
+  for (const FitResult& r : c.models) {
+    if (r.citation.empty() || std::find(seen.begin(), seen.end(), r.citation) != seen.end()) continue;
+    seen.push_back(r.citation);
+    out += element("li", "", escaped(fmt::format("{} ({})", r.citation, r.model)));
+  }
+  return out;
+}
+
+Html provenance(const Comparison& c) {
+  Html out = fact("version", c.version);
+  out += fact("seed", std::to_string(c.seed));
+  out += fact("protocol", c.protocol);
+  out += fact("budget", fmt::format("{}: population {}, generations {}, replicates {}, final {}", c.budget, c.population, c.generations,
+                                    c.replicates, c.final_replicates));
+  out += fact("read as", c.data.format);
+  out += fact("columns", c.data.columns);
+  out += fact("SHA-256 of the recording", c.data.sha256, true);
+  for (const std::string& note : c.data.notes) out += fact("repaired while reading", note, true);
+  return out;
+}
+
+}  // namespace swarmfit::sections

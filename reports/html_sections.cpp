@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "reports/html_sections.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/number.h"
+#include "reports/words.h"
+
+namespace swarmfit::sections {
+
+namespace {
+
+using Cells = std::vector<HtmlTable::Cell>;
+
+std::string bracketed(const Comparison& c, std::size_t m) {
+  return counts(c, m) ? std::string(kMetricInfo[m].symbol) : fmt::format("({})", kMetricInfo[m].symbol);
+}
+
+Html model_name(const Comparison& c, std::size_t k) {
+  Html out = key_drawing(k);
+  out += escaped(c.models[k].model);
+  return out;
+}
+
+std::string plus_minus(double value, double se, int decimals) {
+  return std::isfinite(se) ? fixed(value, decimals) + " ± " + fixed(se, decimals) : fixed(value, decimals);
+}
+
+// One column per metric, from what `text` says of each.
+template <class Text>
+void metric_columns(const Comparison& c, Cells& cells, Text text) {
+  for (std::size_t m = 0; m < kMetrics; ++m) cells.push_back(number_cell(text(m), !counts(c, m)));
+}
+
+void metric_heads(const Comparison& c, Cells& cells) {
+  for (std::size_t m = 0; m < kMetrics; ++m) cells.push_back(column(bracketed(c, m), true, !counts(c, m)));
+}
+
+struct Scale {
+  double lower = INFINITY, upper = -INFINITY;
+  void include(double x) {
+    if (!std::isfinite(x)) return;
+    lower = std::min(lower, x);
+    upper = std::max(upper, x);
+  }
+};
+
+// From 0 (or the lowest interval) to 1 (or the highest).
+Scale score_scale(const Comparison& c) {
+  Scale scale{0, 1};
+  for (const FitResult& r : c.models)
+    for (const double x : {r.score, r.score - 1.96 * r.score_se, r.score + 1.96 * r.score_se}) scale.include(x);
+  return scale;
+}
+
+std::vector<std::string> remarks(const FitResult& r) {
+  std::vector<std::string> out;
+  const auto bounds = at_bounds(r);
+  if (!bounds.empty()) out.push_back("on a bound: " + enumerate(bounds));
+  if (r.failed_simulations > 0)
+    out.push_back(fmt::format("{} of {} simulations blew up", counted(r.failed_simulations), counted(r.simulations)));
+  return out;
+}
+
+}  // namespace
+
+Html badge(const Comparison& c) { return c.data.synthetic ? markup("<span class=\"badge\">synthetic data</span>") : Html{}; }
+
+Html data_facts(const Comparison& c) {
+  const DataFacts& d = c.data;
+  Html out = fact("recording", d.path, true);
+  out += fact("tracks", counted(static_cast<std::int64_t>(d.tracks)));
+  out += fact("frames", fmt::format("{} ({} to {})", counted(static_cast<std::int64_t>(d.frames)), d.first_frame, d.last_frame));
+  out += fact("frame interval", fmt::format("{} s ({} Hz)", brief(d.dt), brief(1 / d.dt)));
+  out += fact("individuals per frame", brief(d.individuals_per_frame, 3));
+  out += fact("dimensions", fmt::format("{}-D, in {}", d.dims, d.unit));
+  out += fact("rms radius", fmt::format("{} {}", rounded(d.extent), d.unit));
+  out += fact("mean neighbour distance", fmt::format("{} {}", rounded(d.spacing), d.unit));
+  out += fact("mean speed", fmt::format("{} {}", rounded(d.speed), metric_unit(kSpeed, d.unit)));
+  return out;
+}
+
+Html warnings(const Comparison& c) {
+  if (c.warnings.empty()) return {};
+  Html items;
+  for (const std::string& warning : c.warnings) items += element("li", "", escaped(warning));
+  Html out = markup("<aside class=\"warnings\" aria-labelledby=\"warnings-title\"><h2 id=\"warnings-title\">Before you believe this</h2>");
+  out += element("ul", "", items);
+  out += markup("</aside>");
+  return out;
+}
+
+Html ranking(const Comparison& c) {
+  HtmlTable table("Models by score, with their raw energies");
+  Cells head = {column("rank", true), column("model"), column("score ± se", true), column("score, 95 %")};
+  metric_heads(c, head);
+  head.insert(head.end(), {column("tried", true), column("remarks")});
+  table.head(head);
+
+  const Scale scale = score_scale(c);
+  for (std::size_t k = 0; k < c.models.size(); ++k) {
+    const FitResult& r = c.models[k];
+    Cells cells = {number_cell(r.rank > 0 ? std::to_string(r.rank) : kUndefined), name_cell(model_name(c, k)),
+                   number_cell(plus_minus(r.score, r.score_se, 3))};
+    cells.push_back(
+        {.content = interval_drawing(r.score, r.score - 1.96 * r.score_se, r.score + 1.96 * r.score_se, scale.lower, scale.upper, k)});
+    metric_columns(c, cells, [&](std::size_t m) { return fixed(r.raw_energies[m], 2); });
+    cells.push_back(number_cell(counted(r.evaluations)));
+    cells.push_back({.content = element("span", "flag", escaped(fmt::format("{}", fmt::join(remarks(r), "; "))))});
+    table.row(cells, r.rank == 1 ? "first" : "");
+  }
+  Cells foot = {text_cell(""), name_cell(markup("weight in the score")), text_cell(""), text_cell("")};
+  metric_columns(c, foot, [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 3) : kUndefined; });
+  foot.insert(foot.end(), {text_cell(""), text_cell("")});
+  return table.foot(foot).html();
+}
+
+Html legend(const Comparison& c) {
+  Html out = element("span", "", Html{recording_key().text + "recording"});
+  for (std::size_t k = 0; k < c.models.size(); ++k) {
+    out += Html{fmt::format("<label><input type=\"checkbox\" data-model=\"{}\" checked> ", k)};
+    out += model_name(c, k);
+    out += markup("</label>\n");
+  }
+  return out;
+}
+
+Html pdf_figures(const Comparison& c) {
+  Html out;
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    const MetricInfo& info = kMetricInfo[m];
+    const std::string remark = counts(c, m) ? fmt::format("weight {}", fixed(c.weights[m], 3)) : "left out: " + why_left_out(c, m);
+    if (c.recording[m].histogram.samples == 0) {
+      out +=
+          Html{fmt::format("<figure><h3>{} {}</h3><p class=\"note\">No samples in this recording.</p></figure>\n", info.name, info.symbol)};
+      continue;
+    }
+    out += Html{fmt::format(
+        "<figure><h3>{0} {1}</h3><div class=\"canvas\"><canvas id=\"pdf-{2}\" role=\"img\" "
+        "aria-label=\"Density of the {0} in the recording and in every model\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
+        info.name, info.symbol, info.key, html_escaped(remark))};
+  }
+  return out;
+}
+
+Html pdf_note(const Comparison& c) {
+  switch (c.binning.normalisation) {
+    case Normalisation::reference:
+      return escaped(fmt::format(
+          "{} bins from {} to {} standard deviations of the recording about its mean{}. Axes are cut where nobody is.", c.binning.bins,
+          brief(c.binning.lower), brief(c.binning.upper), c.binning.clip ? "; what lies outside is counted in the end bins" : ""));
+    case Normalisation::separate:
+      return markup(
+          "Every set is standardised by its own mean and standard deviation before it is compared: only the shape counts. The models are "
+          "drawn "
+          "as if they had the recording's mean and spread; the true ones are in the table below.");
+    case Normalisation::none:
+      return markup("Binned in physical units over the recording's 0.5 to 99.5 percentile range.");
+  }
+  return {};
+}
+
+Html moments(const Comparison& c) {
+  HtmlTable table("Mean and standard deviation of every model, relative to the recording");
+  Cells head = {column("model"), column("")};
+  metric_heads(c, head);
+  table.head(head);
+  const auto unit = [&](std::size_t m) { return metric_unit(m, c.data.unit); };
+  Cells mean = {name_cell(markup("recording")), text_cell("mean")}, sd = {text_cell(""), text_cell("sd")};
+  metric_columns(c, mean, [&](std::size_t m) { return rounded(c.recording[m].moments.mean) + ' ' + unit(m); });
+  metric_columns(c, sd, [&](std::size_t m) { return rounded(c.recording[m].moments.sd()) + ' ' + unit(m); });
+  table.row(mean).row(sd);
+  for (std::size_t k = 0; k < c.models.size(); ++k) {
+    const FitResult& r = c.models[k];
+    Cells means = {name_cell(model_name(c, k)), text_cell("mean ×")}, sds = {text_cell(""), text_cell("sd ×")};
+    metric_columns(c, means, [&](std::size_t m) { return fixed(r.mean_ratio[m], 2); });
+    metric_columns(c, sds, [&](std::size_t m) { return fixed(r.sd_ratio[m], 2); });
+    table.row(means).row(sds);
+  }
+  return table.html();
+}
+
+Html weights(const Comparison& c) {
+  HtmlTable table("Weights and normalisation: what a score is made of");
+  Cells head = {column("")};
+  metric_heads(c, head);
+  table.head(head);
+  const auto row = [&](const Html& title, const PerMetric<double>& values) {
+    Cells cells = {name_cell(title)};
+    metric_columns(c, cells, [&](std::size_t m) { return rounded(values[m]); });
+    table.row(cells);
+  };
+  row(markup("weight"), c.weights);
+  row(markup("p1 (least energy)"), c.p1);
+  row(markup("p2 (range)"), c.p2);
+  for (const WeightStep& step : c.weight_history) row(escaped(fmt::format("weight, pass {}", step.pass)), step.weights);
+  return table.html();
+}
+
+Html weights_converged(const Comparison& c) {
+  if (c.weight_history.empty()) return {};
+  const std::size_t passes = c.weight_history.size();
+  return escaped(fmt::format("{} after {} {} (largest change {}).", c.weights_converged ? "Settled" : "Not settled", passes,
+                             passes == 1 ? "pass" : "passes", rounded(c.weight_history.back().largest_change, 2)));
+}
+
+}  // namespace swarmfit::sections

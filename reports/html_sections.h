@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The parts of a report's page that depend on the result; the rest stands in assets/report.html.
+#pragma once
+
+#include "fit/results.h"
+#include "reports/html_table.h"
+
+namespace swarmfit::sections {
+
+Html badge(const Comparison&);  // "synthetic data"
+Html data_facts(const Comparison&);
+Html warnings(const Comparison&);  // nothing if there are none
+Html ranking(const Comparison&);
+Html legend(const Comparison&);       // check boxes of the charts
+Html pdf_figures(const Comparison&);  // seven empty canvases
+Html pdf_note(const Comparison&);
+Html moments(const Comparison&);  // mean and sd of every model against the recording
+Html weights(const Comparison&);
+Html weights_converged(const Comparison&);
+Html parameters(const Comparison&);
+Html search(const Comparison&);
+Html observation(const Comparison&);
+Html methods(const Comparison&);  // a paragraph to paste
+Html model_references(const Comparison&);
+Html provenance(const Comparison&);
+
+}  // namespace swarmfit::sections

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// HTML tables and small static drawings. Everything that returns `Html` is safe to insert; plain strings are escaped on the way in.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace swarmfit {
+
+// Text that is already HTML: a type of its own, so that nothing gets there unescaped by mistake.
+struct Html {
+  std::string text;
+  Html& operator+=(const Html& more) {
+    text += more.text;
+    return *this;
+  }
+};
+
+// Text as HTML content or attribute value: & < > " ' become entities.
+std::string html_escaped(std::string_view text);
+Html escaped(std::string_view text);
+// Our own markup: a literal, never anything that came from data.
+template <std::size_t N>
+Html markup(const char (&literal)[N]) {
+  return {std::string(literal, N - 1)};
+}
+// <tag class="classes">content</tag>
+Html element(std::string_view tag, std::string_view classes, const Html& content);
+
+// A table in a box that scrolls sideways and can be reached by keyboard.
+class HtmlTable {
+ public:
+  explicit HtmlTable(std::string_view caption) : caption_(caption) {}
+  struct Cell {
+    Html content;
+    bool number = false;  // right-aligned
+    bool head = false;
+    bool soft = false;  // a metric that is left out
+  };
+  HtmlTable& head(std::vector<Cell> cells) { return add(head_, "", std::move(cells)); }
+  HtmlTable& row(std::vector<Cell> cells, std::string_view classes = "") { return add(body_, classes, std::move(cells)); }
+  HtmlTable& foot(std::vector<Cell> cells) { return add(foot_, "", std::move(cells)); }
+  Html html() const;
+
+ private:
+  HtmlTable& add(std::string& part, std::string_view classes, std::vector<Cell> cells);
+  std::string caption_, head_, body_, foot_;
+};
+
+HtmlTable::Cell name_cell(Html content);  // heads a row
+HtmlTable::Cell text_cell(std::string_view text);
+HtmlTable::Cell number_cell(std::string_view text, bool soft = false);
+HtmlTable::Cell column(std::string_view title, bool number = false, bool soft = false);  // heads a column
+
+// <div><dt>term</dt><dd>value</dd></div>, for use inside <dl class="facts">; nothing if the value is empty.
+Html fact(std::string_view term, std::string_view value, bool wide = false);
+
+// value with its interval on the common scale [lower, upper]; empty unless all are finite.
+Html interval_drawing(double value, double low, double high, double lower, double upper, std::size_t series);
+// Where a fitted value lies between its bounds.
+Html place_drawing(double share, bool at_bound);
+// Line sample of a series in the charts' legend.
+Html key_drawing(std::size_t series);
+Html recording_key();
+
+}  // namespace swarmfit

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What a run leaves on disk.
+#pragma once
+
+#include <string>
+
+#include "fit/results.h"
+
+namespace swarmfit {
+
+// May a run write here? Yes if `dir` does not exist, is empty, or holds an earlier run (a config.toml of ours); that run is then
+// replaced. Throws InputError otherwise. Cheap: call it before hours of computing.
+void check_run_directory(const std::string& dir);
+
+// Writes config.toml, results.json, tables/*.csv, history.csv and report.html, each of them whole or not at all, creating folders as
+// needed. results.json comes last: a directory that has one is complete. Throws InputError as above, RunError when writing fails.
+void write_run(const std::string& dir, const Comparison&);
+
+// Everything needed to repeat the run: "name = value" lines, values being TOML already.
+std::string config_toml(const Comparison&);
+
+}  // namespace swarmfit
