@@ -102,6 +102,7 @@ TEST(Form, LicenceLineAndPragma) {
 TEST(TestSources, AreAllBuilt) {
   const std::string cmake = "\nroom_tests(fit fit)\n";
   EXPECT_THAT(check_tests_are_built({source("tests/fit/a_test.cpp", ""), source("tests/eval/b.h", "")}, cmake), IsEmpty());
+  EXPECT_THAT(check_tests_are_built({source("tests/long/a.cpp", "")}, cmake + "add_executable(a long/a.cpp)"), IsEmpty());
   EXPECT_THAT(check_tests_are_built({source("tests/eval/a_test.cpp", "")}, cmake), ElementsAre(HasSubstr("no line of")));
   EXPECT_THAT(check_tests_are_built({source("tests/fit/deeper/a_test.cpp", "")}, cmake), ElementsAre(HasSubstr("no line of")));
 }
