@@ -79,16 +79,22 @@ configure() {
   cd_root phase configure cmake --preset "$preset" "$@"
 }
 
-# build PRESET TARGET: on a terminal with ninja's own progress.
+# build PRESET TARGET: on a terminal with ninja's own progress. Says so only if a file is newer than the last build.
 build() {
   dir="$root/build/$1"
-  ninja -C "$dir" -n "$2" 2>/dev/null | grep -q 'no work to do' && return 0
+  stamp="$dir/built_$2"
+  if [ -f "$stamp" ] && [ -z "$(find "$root" \( -path "$root/build" -o -path "$root/runs" -o -path "$root/.git" \) -prune -o -type f -newer "$stamp" -print -quit)" ]; then
+    phase build ninja -C "$dir" -j "$(jobs)" "$2"
+    return
+  fi
   say "building build/$1 ($(jobs) at once)"
+  touch "$stamp.begun"
   if [ -t 2 ]; then
     ninja -C "$dir" -j "$(jobs)" "$2" >&2 </dev/null || die "build failed"
   else
     phase build ninja -C "$dir" -j "$(jobs)" "$2"
   fi
+  mv "$stamp.begun" "$stamp"
 }
 
 # In a subshell at the repository's root, where presets are found; the caller stays where the user called from.
