@@ -43,7 +43,8 @@ const Option& find_option(const ModelSpec& spec, std::string_view name) {
   if (found != spec.options.end()) return *found;
   Names names;
   for (const Option& o : spec.options) names.push_back(o.name);
-  throw InputError(fmt::format("model {}: unknown option '{}'; expected one of {}", spec.name, name, fmt::join(names, ", ")));
+  const std::string legal = names.empty() ? "no options" : fmt::format("one of {}", fmt::join(names, ", "));
+  throw InputError(fmt::format("model {}: unknown option '{}'; expected {}", spec.name, name, legal));
 }
 
 const ModelSpec& find_model(std::string_view name) {

@@ -21,7 +21,7 @@ struct Plan {
   int substeps = 1;        // steps per frame
   std::int64_t first_frame = 0;
   std::int64_t frames = 1;  // number of frames to emit, the first included
-  std::vector<Schedule> schedules;
+  std::vector<Schedule> schedules = {};
   double speed_limit = 1e300;  // a run whose agents exceed it has blown up [unit/s]
 };
 

@@ -167,11 +167,13 @@ TEST(ReciprocalHalfSpace, SamePlaceAndVelocityPartAlongTheTie) {
 
 struct Crowd {
   std::vector<Vector3d> pos, vel, goal;
-  double radius, speed, tau, dt, range;
+  double radius, cruise, speed, tau, dt, range;
   int most;
+  int infeasible = 0;  // so far
 };
 
-// All agents head for their goals with `speed`; returns the smallest distance of any two so far.
+// All agents head for their goals with speed `cruise` and may fly at `speed` to avoid others; returns the smallest distance of any two so
+// far.
 double step(Crowd& crowd) {
   const std::size_t n = crowd.pos.size();
   std::vector<Vector3d> next(n);
@@ -192,8 +194,9 @@ double step(Crowd& crowd) {
                                               crowd.tau, crowd.dt, Vector3d::UnitX()));
     }
     Vector3d preferred = crowd.goal[i] - crowd.pos[i];
-    if (preferred.norm() > crowd.speed) preferred *= crowd.speed / preferred.norm();
+    if (preferred.norm() > crowd.cruise) preferred *= crowd.cruise / preferred.norm();
     const auto result = nearest_velocity(allowed, preferred, crowd.speed);
+    if (!result.feasible) ++crowd.infeasible;
     next[i] = result.feasible ? result.velocity : least_penetration(allowed, preferred, crowd.speed, spare);
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -205,7 +208,7 @@ double step(Crowd& crowd) {
 
 TEST(Crowd, TwoHeadOnPass) {
   for (const int dims : {2, 3}) {
-    Crowd crowd{{{-5, 0, 0}, {5, 0.01, dims == 3 ? 0.02 : 0}}, {{0, 0, 0}, {0, 0, 0}}, {{5, 0, 0}, {-5, 0, 0}}, 0.5, 1, 2, 0.05, 10, 10};
+    Crowd crowd{{{-5, 0, 0}, {5, 0.01, dims == 3 ? 0.02 : 0}}, {{0, 0, 0}, {0, 0, 0}}, {{5, 0, 0}, {-5, 0, 0}}, 0.5, 1, 1, 2, 0.05, 10, 10};
     double closest = 1e9;
     for (int k = 0; k < 400; ++k) closest = std::min(closest, step(crowd));
     EXPECT_GT(closest, 1 - 1e-6);
@@ -216,22 +219,25 @@ TEST(Crowd, TwoHeadOnPass) {
   }
 }
 
-// The "Sphere" example of RVO2-3D: everybody changes places with the agent opposite.
+// Everybody changes places with the agent opposite, as in the "Sphere" example of RVO2-3D. Its 800 agents all meet in the centre at once,
+// where no velocity is free any more: from these evenly spread starts RVO2-3D itself overlaps by 0.180 there, and this code by 0.200. Here
+// the agents start at different distances, so that they cross one after the other.
 TEST(Crowd, AntipodalSphere) {
-  Crowd crowd{{}, {}, {}, 1.5, 2, 10, 0.125, 15, 10};
-  const int n = 800;
-  for (int i = 0; i < n; ++i) {  // evenly: a spiral with the golden angle
+  Crowd crowd{{}, {}, {}, 1, 1, 2, 5, 0.125, 15, 10};
+  const std::uint32_t n = 100;
+  for (std::uint32_t i = 0; i < n; ++i) {  // evenly: a spiral with the golden angle
     const double z = 1 - (2 * i + 1.0) / n, angle = 2.399963229728653 * i, rho = std::sqrt(1 - z * z);
-    crowd.pos.push_back(100 * Vector3d(rho * std::cos(angle), rho * std::sin(angle), z));
+    crowd.pos.push_back((50 + 150 * uniform(i, 0)) * Vector3d(rho * std::cos(angle), rho * std::sin(angle), z));
     crowd.vel.push_back(Vector3d::Zero());
     crowd.goal.push_back(-crowd.pos.back());
   }
-  double closest = 1e9, start = 0, end = 0;
-  for (int i = 0; i < n; ++i) start += (crowd.goal[static_cast<std::size_t>(i)] - crowd.pos[static_cast<std::size_t>(i)]).norm() / n;
-  for (int k = 0; k < 1200; ++k) closest = std::min(closest, step(crowd));
-  for (int i = 0; i < n; ++i) end += (crowd.goal[static_cast<std::size_t>(i)] - crowd.pos[static_cast<std::size_t>(i)]).norm() / n;
+  double closest = 1e9, farthest = 0;
+  for (int k = 0; k < 3600; ++k) closest = std::min(closest, step(crowd));
+  for (std::uint32_t i = 0; i < n; ++i) farthest = std::max(farthest, (crowd.goal[i] - crowd.pos[i]).norm());
+  EXPECT_EQ(crowd.infeasible, 0);
   EXPECT_GT(closest, 2 * crowd.radius - 1e-3);
-  EXPECT_LT(end, 0.05 * start);
+  EXPECT_LT(closest, 2 * crowd.radius + 0.1);  // they did have to give way
+  EXPECT_LT(farthest, 0.1);
 }
 
 }  // namespace

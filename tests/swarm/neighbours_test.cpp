@@ -48,13 +48,13 @@ std::vector<Cloud> clouds() {
   Bounds flat = periodic;
   flat.upper[2] = 0;
   Rows line = uniform_cloud(200, {10, 0, 0}, 3);
-  return {{"box", uniform_cloud(600, {10, 8, 6}, 1), open},
-          {"clump", clumped_cloud(500), open},
-          {"plane", uniform_cloud(500, {10, 10, 0}, 4), open},
+  return {{"box", uniform_cloud(450, {10, 8, 6}, 1), open},
+          {"clump", clumped_cloud(300), open},
+          {"plane", uniform_cloud(300, {10, 10, 0}, 4), open},
           {"line", line, open},
           {"one place", Rows::Zero(20, 3), open},
           {"one agent", Rows::Zero(1, 3), open},
-          {"periodic", uniform_cloud(600, {10, 8, 6}, 5), periodic},
+          {"periodic", uniform_cloud(450, {10, 8, 6}, 5), periodic},
           {"periodic, from outside", uniform_cloud(300, {30, 30, 30}, 6) - 12, periodic},
           {"periodic plane", uniform_cloud(400, {10, 8, 0}, 7), flat}};
 }
@@ -105,7 +105,7 @@ TEST(Neighbours, EqualsBruteForce) {
 TEST(Neighbours, NearestEqualsBruteForce) {
   for (const Cloud& cloud : clouds())
     for (const auto method : {Neighbours::Method::all_pairs, Neighbours::Method::grid})
-      for (const double radius : {0.05, 2.9, 1e5})
+      for (const double radius : {0.05, 2.9})
         for (const std::size_t k : {1u, 10u}) {
           Neighbours near;
           Neighbours::Scratch scratch;
@@ -114,7 +114,7 @@ TEST(Neighbours, NearestEqualsBruteForce) {
             auto expected = brute_force(cloud, i, radius);
             std::stable_sort(expected.begin(), expected.end(), [](const Met& a, const Met& b) { return a.distance < b.distance; });
             expected.resize(std::min(k, expected.size()));
-            for (double hint : {0.0, 1e-6, 0.3, 1e9}) {  // a wrong hint must not matter
+            for (double hint : {0.0, 0.1, 1e9}) {  // a wrong hint must not matter
               const auto found = near.nearest(i, k, radius, hint, scratch);
               ASSERT_EQ(found.size(), expected.size()) << cloud.name << ", radius " << radius << ", agent " << i;
               for (std::size_t m = 0; m < found.size(); ++m)

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// What every model owes: tested for all registered models, each with every value of each of its options. A new model needs no line here.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "libswarm/stimuli.h"
+#include "tests/swarm/lane.h"
+
+namespace swarmfit {
+namespace {
+
+using Eigen::Array3d;
+
+// ---- all settings -------------------------------------------------------------------------------------------------------------
+
+std::vector<std::string> settings() {
+  std::vector<std::string> all;
+  for (const ModelSpec& spec : models()) {
+    all.emplace_back(spec.name);
+    for (const Option& option : spec.options)
+      for (std::size_t k = 1; k < option.values.size(); ++k)
+        all.push_back(std::string(spec.name) + "[" + std::string(option.name) + "=" + std::string(option.values[k]) + "]");
+  }
+  return all;
+}
+
+// The same setting without randomness, if the model has that.
+std::string quiet(const std::string& setting) {
+  ModelChoice choice = parse_model(setting);
+  if (choice.options.contains("noise")) choice.options["noise"] = "none";
+  std::string name(choice.spec->name);
+  char separator = '[';
+  for (const auto& [option, value] : choice.options) {
+    name += separator + option + "=" + value;
+    separator = ',';
+  }
+  return separator == ',' ? name + "]" : name;
+}
+
+// Everything switched on: parameters that are 0 by default get a tenth of their upper bound.
+Lane busy(const Made& made, Index agents, double width, int dims = 3) {
+  Lane lane = crowd(made, agents, width, 0.5, 11, dims);
+  const auto& table = made.choice.spec->parameters;
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (table[k].scene.initial == 0) lane.p[k] = table[k].scene.upper / 10;
+  return lane;
+}
+
+constexpr Plan kShort{.frame_dt = 0.01, .frames = 21};
+
+class EveryModel : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Settings, EveryModel, testing::ValuesIn(settings()), [](const auto& setting) {
+  std::string name = setting.param;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+});
+
+void expect_near(const State& a, const State& b, double tolerance) {
+  ASSERT_EQ(a.id, b.id);
+  EXPECT_LT((a.pos - b.pos).abs().maxCoeff(), tolerance);
+  EXPECT_LT((a.vel - b.vel).abs().maxCoeff(), tolerance);
+}
+
+// ---- the table ----------------------------------------------------------------------------------------------------------------
+
+TEST(EverySpec, TableIsSound) {
+  std::set<std::string_view> names;
+  for (const ModelSpec& spec : models()) {
+    SCOPED_TRACE(spec.name);
+    EXPECT_TRUE(names.insert(spec.name).second);
+    EXPECT_FALSE(spec.summary.empty());
+    EXPECT_FALSE(spec.citation.empty());
+    EXPECT_GT(spec.native_dt, 0);
+    EXPECT_GT(spec.largest_dt, 0);
+    ASSERT_NE(spec.make, nullptr);
+    for (const int dims : spec.dims) EXPECT_TRUE(dims == 2 || dims == 3);
+    EXPECT_FALSE(spec.dims.empty());
+    std::set<std::string_view> used, parameters;
+    for (const Option& o : spec.options) {
+      EXPECT_TRUE(used.insert(o.name).second) << o.name;
+      EXPECT_GE(o.values.size(), 2u) << o.name;
+      EXPECT_EQ(std::set(o.values.begin(), o.values.end()).size(), o.values.size()) << o.name;
+    }
+    for (const Parameter& p : spec.parameters) {
+      SCOPED_TRACE(p.name);
+      EXPECT_TRUE(parameters.insert(p.name).second);
+      EXPECT_FALSE(p.meaning.empty());
+      EXPECT_FALSE(p.source.empty());
+      for (const Range& range : {p.scene, p.fit}) {
+        EXPECT_LT(range.lower, range.upper);
+        EXPECT_LE(range.lower, range.initial);
+        EXPECT_LE(range.initial, range.upper);
+        if (p.log) {
+          EXPECT_GT(range.lower, 0);
+        }
+      }
+    }
+  }
+}
+
+TEST(EverySpec, ConditionsNameOptionsAndValuesThatExist) {
+  for (const ModelSpec& spec : models())
+    for (std::size_t p = 0; p < spec.parameters.size(); ++p) {
+      const std::string when(spec.parameters[p].when);
+      if (when.empty()) continue;
+      // Options set exactly as the condition says must satisfy it; every name and value must be legal.
+      Options given;
+      for (std::size_t first = 0; first <= when.size();) {
+        const std::size_t end = std::min(when.find(',', first), when.size());
+        const std::string condition = when.substr(first, end - first);
+        const std::size_t equals = condition.find('=');
+        ASSERT_NE(equals, std::string::npos) << when;
+        for (std::size_t v = equals + 1; v <= condition.size();) {
+          const std::size_t bar = std::min(condition.find('|', v), condition.size());
+          given[condition.substr(0, equals)] = condition.substr(v, bar - v);
+          ASSERT_NO_THROW(spec.resolve(given)) << when;
+          v = bar + 1;
+        }
+        first = end + 1;
+      }
+      EXPECT_TRUE(spec.uses(p, spec.resolve(given))) << when;
+    }
+}
+
+TEST_P(EveryModel, HasTheColumnsItNames) {
+  const Made made = make(GetParam());
+  EXPECT_EQ(made.model->columns(), static_cast<Index>(made.choice.spec->columns.size()));
+}
+
+// ---- motion -------------------------------------------------------------------------------------------------------------------
+
+TEST_P(EveryModel, MovesAndStaysFinite) {
+  const Made made = make(GetParam());
+  Lane lane = busy(made, 40, 3);
+  lane.world.add(std::make_unique<Stimuli>(std::vector<Stimulus>{{.start = {1, 1, 1}, .velocity = {0.5, 0, 0}}}));
+  const Rows start = lane.state.pos;
+  run(made, {.frame_dt = 0.01, .frames = 101}, lane);
+  EXPECT_FALSE(lane.blew_up);
+  EXPECT_TRUE(lane.state.pos.isFinite().all() && lane.state.vel.isFinite().all());
+  EXPECT_GT((lane.state.pos - start).abs().maxCoeff(), 1e-3);
+}
+
+TEST_P(EveryModel, SameSeedSameBits) {
+  const Made made = make(GetParam());
+  Lane a = busy(made, 40, 3), b = busy(made, 40, 3);
+  run(made, kShort, a);
+  run(made, kShort, b);
+  expect_near(a.state, b.state, 1e-300);
+}
+
+// Large enough to be split among threads; the same bits for any number of them, and inside somebody else's parallel region.
+TEST_P(EveryModel, SameBitsForAnyNumberOfThreads) {
+  const Made made = make(GetParam());
+  const auto with = [&](int threads, bool nested) {
+    Lane lane = busy(made, 2100, 20);
+    const Plan plan{.frame_dt = 0.01, .frames = 3};
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(threads);
+    if (nested) {
+#pragma omp parallel num_threads(2)
+#pragma omp single
+      run(made, plan, lane);
+    } else {
+      run(made, plan, lane);
+    }
+    omp_set_num_threads(before);
+    return lane.state;
+  };
+  const State one = with(1, false);
+  expect_near(one, with(3, false), 1e-300);
+  expect_near(one, with(2, true), 1e-300);
+}
+
+// Agents keep their ids but stand in other rows: only the order of sums may change.
+TEST_P(EveryModel, RowOrderDoesNotMatter) {
+  const Made made = make(GetParam());
+  if (made.choice.spec->update == Update::sequential) GTEST_SKIP() << "sequential models depend on the order";
+  Lane a = busy(made, 40, 3), b = busy(made, 40, 3);
+  std::vector<Index> order(40);
+  std::iota(order.begin(), order.end(), Index{0});
+  std::reverse(order.begin() + 3, order.end());
+  b.state = {};
+  for (const Index i : order)
+    b.state.spawn(0, a.state.pos.row(i).transpose(), a.state.vel.row(i).transpose(), a.state.id[static_cast<std::size_t>(i)]);
+  run(made, kShort, a);
+  run(made, kShort, b);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    ASSERT_EQ(b.state.id[k], a.state.id[static_cast<std::size_t>(order[k])]);
+    EXPECT_LT((b.state.pos.row(static_cast<Index>(k)) - a.state.pos.row(order[k])).abs().maxCoeff(), 1e-8);
+  }
+}
+
+// Without noise nothing but the agents themselves gives a direction or a place.
+TEST_P(EveryModel, NoiselessMotionTurnsAndShiftsWithTheAgents) {
+  const Made made = make(quiet(GetParam()));
+  Lane a = busy(made, 40, 3), b = busy(made, 40, 3);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+  const auto turned = [&](const Rows& rows) { return Rows((rows.matrix() * turn.transpose()).array()); };
+  const Eigen::Array<double, 1, 3> shift(3, -7, 11);
+  b.state.pos = turned(a.state.pos).rowwise() + shift;
+  b.state.vel = turned(a.state.vel);
+  run(made, kShort, a);
+  run(made, kShort, b);
+  EXPECT_LT((b.state.pos - (turned(a.state.pos).rowwise() + shift)).abs().maxCoeff(), 1e-8);
+  EXPECT_LT((b.state.vel - turned(a.state.vel)).abs().maxCoeff(), 1e-6);
+}
+
+TEST_P(EveryModel, PlanarMotionStaysInThePlane) {
+  const ModelSpec& spec = *parse_model(GetParam()).spec;
+  if (std::find(spec.dims.begin(), spec.dims.end(), 2) == spec.dims.end()) GTEST_SKIP() << "three dimensions only";
+  const Made made = make(GetParam(), 2);
+  Lane lane = busy(made, 40, 3, 2);
+  lane.state.pos.row(1) = lane.state.pos.row(0);  // ties are broken in the plane too
+  lane.world.add(std::make_unique<Stimuli>(std::vector<Stimulus>{{.start = {1, 1, 0}}}));
+  run(made, {.frame_dt = 0.01, .frames = 101}, lane);
+  EXPECT_FALSE(lane.blew_up);
+  EXPECT_TRUE((lane.state.pos.col(2) == 0).all());
+  EXPECT_TRUE((lane.state.vel.col(2) == 0).all());
+}
+
+TEST_P(EveryModel, StaysInsideTheBounds) {
+  const Made made = make(GetParam());
+  for (const auto kind : {Bounds::Kind::box, Bounds::Kind::periodic, Bounds::Kind::sphere}) {
+    Lane lane = busy(made, 40, 1);
+    lane.world.bounds.kind = kind;
+    lane.world.bounds.upper.setOnes();
+    lane.world.bounds.centre.setConstant(0.5);
+    lane.world.bounds.radius = 0.87;
+    run(made, kShort, lane);
+    const Rows p = lane.state.pos - 0.5;
+    EXPECT_FALSE(lane.blew_up);
+    EXPECT_LE(kind == Bounds::Kind::sphere ? std::sqrt(p.square().rowwise().sum().maxCoeff()) / 0.87 : p.abs().maxCoeff() / 0.5, 1 + 1e-12);
+  }
+}
+
+TEST_P(EveryModel, AgentsComeAndGo) {
+  const Made made = make(GetParam());
+  Lane lane = busy(made, 20, 2);
+  std::vector<Presence::Visit> visits;
+  for (std::uint32_t k = 0; k < 10; ++k) visits.push_back({100 + k, 0, 3 + k, 9 + 2 * k, {1, 1 + 0.1 * k, 1}, {0.3, 0, 0}});
+  lane.world.add(std::make_unique<Presence>(visits));
+  Recorded out;
+  lane.out = &out;
+  run(made, kShort, lane);
+  ASSERT_FALSE(lane.blew_up);
+  for (const auto& moment : out.moments) {
+    std::size_t expected = 20;
+    for (const auto& v : visits) expected += v.enter <= moment.frame && moment.frame <= v.leave;
+    EXPECT_EQ(moment.id.size(), expected) << "frame " << moment.frame;
+    EXPECT_EQ(std::set(moment.id.begin(), moment.id.end()).size(), expected);
+    EXPECT_TRUE(moment.pos.isFinite().all());
+  }
+  EXPECT_NEAR(out.moments[3].pos(20, 1), 1, 1e-15);  // where it was recorded
+}
+
+TEST_P(EveryModel, AloneIsFine) {
+  const Made made = make(GetParam());
+  Lane lane = busy(made, 1, 1);
+  run(made, kShort, lane);
+  EXPECT_FALSE(lane.blew_up);
+  EXPECT_TRUE(lane.state.pos.isFinite().all());
+}
+
+}  // namespace
+}  // namespace swarmfit

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What the tests of simulation share: lanes with agents in them, and a sink that remembers frames.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "libswarm/noise.h"
+#include "libswarm/simulate.h"
+
+namespace swarmfit {
+
+struct Made {
+  ModelChoice choice;
+  std::unique_ptr<Model> model;
+};
+
+inline Made make(std::string_view name, int dims = 3) {
+  Made made{parse_model(name), nullptr};
+  Setup setup;
+  setup.dims = dims;
+  setup.options = made.choice.options;
+  made.model = made.choice.spec->make(setup);
+  return made;
+}
+
+// Parameters at their scene defaults, agents at random in a box [0, width]^dims with the given speed.
+inline Lane crowd(const Made& made, Index agents, double width, double speed, std::uint64_t seed = 1, int dims = 3) {
+  Lane lane;
+  lane.rng = {seed};
+  lane.world.dims = dims;
+  for (const Parameter& p : made.choice.spec->parameters) lane.p.push_back(p.scene.initial);
+  for (std::uint32_t i = 0; i < agents; ++i) {
+    const auto xy = lane.rng.uniform2(Stream::start, 0, i, 0);
+    const double z = dims == 2 ? 0 : lane.rng.uniform(Stream::start, 0, i, 1);
+    lane.state.spawn(0, width * Eigen::Array3d(xy[0], xy[1], z), speed * random_direction(lane.rng, Stream::start, 1, i, 0, dims));
+  }
+  return lane;
+}
+
+inline void set(const Made& made, Lane& lane, std::string_view parameter, double value) {
+  lane.p.at(static_cast<std::size_t>(made.choice.spec->find(parameter))) = value;
+}
+
+inline void run(const Made& made, const Plan& plan, Lane& lane) { cpu_backend().run(*made.model, plan, {&lane, 1}); }
+
+struct Recorded : FrameSink {
+  struct Moment {
+    std::int64_t frame;
+    std::vector<std::uint32_t> id;
+    Rows pos, vel;
+  };
+  std::vector<Moment> moments;
+  void frame(const Snapshot& now) override { moments.push_back({now.frame, {now.id.begin(), now.id.end()}, now.pos, now.vel}); }
+};
+
+}  // namespace swarmfit
