@@ -45,8 +45,6 @@ class Draws {
   std::uint32_t id_, draw_ = 0;
 };
 
-bool same(const Point& a, const Point& b) { return (a - b).lpNorm<Eigen::Infinity>() < same_point; }
-
 bool cheaper(const Evaluated& a, const Evaluated& b) { return a.cost < b.cost; }
 
 // Every coordinate takes each of the `count` equal intervals exactly once (McKay, Beckman and Conover 1979).

@@ -17,6 +17,7 @@ using Point = Eigen::VectorXd;  // in [0, 1]^d
 
 // Points that differ by less than this in every coordinate count as one: no candidate is tried twice, no leader listed twice.
 inline constexpr double same_point = 1e-6;
+inline bool same(const Point& a, const Point& b) { return (a - b).lpNorm<Eigen::Infinity>() < same_point; }
 
 // Costs of a whole batch, lower is better; infinite or NaN: failed, and never wins. Called with a whole generation so that the caller
 // can run it in parallel. Must be a function of the points alone.
@@ -38,7 +39,7 @@ enum class Stop {
 std::string to_string(Stop);
 
 struct SearchResult {
-  std::vector<Evaluated> best;     // distinct, ascending in cost, none failed; at most the size of the population
+  std::vector<Evaluated> best;     // distinct, ascending in cost, none failed
   std::vector<Evaluated> visited;  // every point evaluated successfully, in order
   std::int64_t evaluations = 0;    // failed ones included
   int generations = 0;
@@ -70,7 +71,8 @@ using OnGeneration = std::function<bool(const GenerationReport&)>;
 // candidate per generation is the minimum of a quadratic fitted to the evaluated points around the leaders. A parent is replaced only
 // by a cheaper child, so the best is never lost. A child outside the cube is put halfway between its parent and the bound.
 // The first population is `start` (known costs, trusted and not evaluated again; the best of them if there are more than `population`)
-// filled up by a Latin hypercube. Throws InputError for options out of range.
+// filled up by a Latin hypercube; all of them inform the quadratic. The result's best are the last population. Throws InputError for
+// options out of range.
 SearchResult genetic_search(int dimensions, const BatchCost& cost, const GeneticOptions& options, const Rng& rng,
                             const std::vector<Evaluated>& start = {}, const OnGeneration& on_generation = {});
 
@@ -94,11 +96,12 @@ struct SearchOptions {
   double refine_share = 0.2;  // of the budget that the genetic algorithm leaves to the refinement, in [0, 1)
 };
 
-// What a whole search found. With a rough landscape the cheapest point is mostly a lucky one; `recommended` is then the minimum of a
-// quadratic through all points of the valley (a response surface), which averages the roughness out.
-struct Found : SearchResult {  // `generations` and `stop` are the genetic algorithm's
-  Evaluated recommended;       // best.front() on a smooth landscape; NaN cost and no coordinates when every evaluation failed
-  double roughness = 0;        // standard deviation of the costs about a smooth surface near the best; 0: smooth, or too few points to tell
+// What a whole search found; `generations` and `stop` are the genetic algorithm's. On a rough landscape the cheapest point is mostly a
+// lucky one; `recommended` is then the minimum of a quadratic through all points of the valley (a response surface), which averages the
+// roughness out.
+struct Found : SearchResult {
+  Evaluated recommended;  // best.front() on a smooth landscape; NaN cost and no coordinates when every evaluation failed
+  double roughness = 0;   // standard deviation of the costs about a smooth surface near the best; 0: smooth, or too few points to tell
 };
 
 // genetic_search, then refine, then one evaluation of the response surface's minimum; never more evaluations than the budget.

@@ -120,8 +120,9 @@ std::optional<QuadraticModel> fit_quadratic(const std::vector<Evaluated>& points
 
 std::optional<QuadraticModel> fit_widest_quadratic(const std::vector<Evaluated>& points, const Neighbourhood& around) {
   const int coefficients = quadratic_coefficients(static_cast<int>(around.centre.size()));
+  const auto all = static_cast<int>(points.size());
   std::optional<QuadraticModel> widest;
-  for (int nearest = 3 * coefficients; nearest <= static_cast<int>(points.size()); nearest += nearest / 2) {
+  for (int nearest = 3 * coefficients; nearest <= all; nearest = nearest < all ? std::min(nearest + nearest / 2, all) : all + 1) {
     const auto model = fit_quadratic(points, around, nearest);
     if (!model) continue;
     if (widest) {

@@ -32,7 +32,7 @@ struct QuadraticModel {
 // Fitted to the `nearest` points of the neighbourhood. Nothing if there are fewer, or too few for a residual, or all cost the same.
 std::optional<QuadraticModel> fit_quadratic(const std::vector<Evaluated>& points, const Neighbourhood& around, int nearest);
 
-// Fitted to as many points as a quadratic describes: their number grows from three per coefficient by halves until the residuals
+// Fitted to as many points as a quadratic describes: their number grows from three per coefficient by halves, to all, until the residuals
 // become significantly larger (by more than three standard errors) than they were with the best fewer. The more roughness, the wider.
 std::optional<QuadraticModel> fit_widest_quadratic(const std::vector<Evaluated>& points, const Neighbourhood& around);
 

@@ -80,8 +80,8 @@ SearchResult refine(const std::vector<Evaluated>& starts, const PointCost& cost,
   all.insert(all.end(), starts.begin() + refined, starts.end());
   std::stable_sort(all.begin(), all.end(), [](const Evaluated& a, const Evaluated& b) { return a.cost < b.cost; });
   for (const Evaluated& e : all) {
-    const auto same = [&](const Evaluated& other) { return (other.x - e.x).lpNorm<Eigen::Infinity>() < same_point; };
-    if (std::none_of(result.best.begin(), result.best.end(), same)) result.best.push_back(e);
+    const auto is_same = [&](const Evaluated& other) { return same(other.x, e.x); };
+    if (std::none_of(result.best.begin(), result.best.end(), is_same)) result.best.push_back(e);
   }
   return result;
 }

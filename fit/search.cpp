@@ -18,25 +18,20 @@ std::int64_t budget_of(const GeneticOptions& options) {
   return options.max_evaluations > 0 ? std::min(options.max_evaluations, planned) : planned;
 }
 
-// How rough the landscape is about `best`: the residuals of a quadratic through the nearest points, where they are most of the variance.
-// The nearest must be few among all, or the many valleys of a smooth landscape would pass for roughness.
-double roughness_near(const Evaluated& best, const std::vector<Evaluated>& points) {
+// How rough the landscape is about `best`. The simplexes zoomed in on it: if the landscape is smooth, the nearest of their points lie on a
+// quadratic, otherwise its residuals are most of the variance. Without enough of their points nothing can be told: the many valleys of a
+// smooth landscape, seen from afar, look just as rough.
+double roughness_near(const Evaluated& best, const std::vector<Evaluated>& refinement) {
   const Eigen::Index d = best.x.size();
-  const int nearest = 3 * quadratic_coefficients(static_cast<int>(d));
-  if (static_cast<int>(points.size()) < 4 * nearest) return 0;
-  const auto model = fit_quadratic(points, {best.x, Eigen::MatrixXd::Identity(d, d)}, nearest);
+  const auto model = fit_quadratic(refinement, {best.x, Eigen::MatrixXd::Identity(d, d)}, 3 * quadratic_coefficients(static_cast<int>(d)));
   return model && model->explained < 0.5 ? model->residual_sd : 0;
-}
-
-void add_refined(Found& found, SearchResult refined) {
-  found.evaluations += refined.evaluations;
-  found.visited.insert(found.visited.end(), refined.visited.begin(), refined.visited.end());
-  found.best = std::move(refined.best);
 }
 
 // The surface's minimum is one more candidate. By how much may the best be cheaper out of luck? The least of n normal numbers lies
 // about sqrt(2 ln n) standard deviations below the mean; two more for the candidate's own roughness.
-void try_response_surface(Found& found, const BatchCost& cost, const std::vector<Evaluated>& known) {
+void try_response_surface(Found& found, const BatchCost& cost, const std::vector<Evaluated>& start) {
+  std::vector<Evaluated> known = found.visited;
+  std::copy_if(start.begin(), start.end(), std::back_inserter(known), [](const Evaluated& e) { return std::isfinite(e.cost); });
   const auto surface = response_surface(known);
   if (!surface) return;
   const Evaluated candidate{surface->minimum, cost_of_one(cost, surface->minimum)};
@@ -44,7 +39,10 @@ void try_response_surface(Found& found, const BatchCost& cost, const std::vector
   if (!std::isfinite(candidate.cost)) return;
   const double luck = found.roughness * (std::sqrt(2 * std::log(static_cast<double>(known.size()))) + 2);
   if (candidate.cost <= found.best.front().cost + luck) found.recommended = candidate;
-  if (candidate.cost < found.best.front().cost) found.best.insert(found.best.begin(), candidate);
+  if (candidate.cost < found.best.front().cost) {
+    std::erase_if(found.best, [&](const Evaluated& e) { return same(e.x, candidate.x); });
+    found.best.insert(found.best.begin(), candidate);
+  }
   found.visited.push_back(candidate);
 }
 
@@ -66,15 +64,16 @@ Found search(int dimensions, const BatchCost& cost, const SearchOptions& options
     refinement.starts = std::clamp(refinement.starts, 1, static_cast<int>(found.best.size()));
     refinement.evaluations = static_cast<int>((budget - found.evaluations - 1) / refinement.starts);
     if (refinement.evaluations > 0) {
-      add_refined(found, refine(
-                             found.best, [&](const Point& x) { return cost_of_one(cost, x); }, refinement));
+      SearchResult refined = refine(
+          found.best, [&](const Point& x) { return cost_of_one(cost, x); }, refinement);
+      found.evaluations += refined.evaluations;
+      found.visited.insert(found.visited.end(), refined.visited.begin(), refined.visited.end());
+      found.best = std::move(refined.best);
+      found.roughness = roughness_near(found.best.front(), refined.visited);
     }
   }
-  std::vector<Evaluated> known = found.visited;
-  std::copy_if(start.begin(), start.end(), std::back_inserter(known), [](const Evaluated& e) { return std::isfinite(e.cost); });
   found.recommended = found.best.front();
-  found.roughness = roughness_near(found.best.front(), known);
-  if (found.stop != Stop::interrupted && found.evaluations < budget) try_response_surface(found, cost, known);
+  if (found.stop != Stop::interrupted && found.evaluations < budget) try_response_surface(found, cost, start);
   return found;
 }
 
