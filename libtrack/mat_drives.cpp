@@ -25,7 +25,7 @@ class Drives {
     table_.dt = number("dt");
     if (!(table_.dt > 0)) fail(fmt::format("the frame interval dt is {}; expected a positive time", table_.dt));
     find_stride();
-    for (int k = 1; mat_.find(fmt::format("pos_ev_{}", k)); ++k) add_event(k);
+    for (int k = 1; has(fmt::format("pos_ev_{}", k)); ++k) add_event(k);
     name_individuals();
     table_.columns = table_.has(Column::vx) ? "id,frame,x,y,vx,vy" : "id,frame,x,y";
     table_.notes.push_back(fmt::format("{} drives were read as separate episodes; frame = {} x event + frame within the event",
@@ -36,27 +36,27 @@ class Drives {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw InputError(file_ + ": " + what); }
 
-  MatArray array(const std::string& name) const {
-    const auto* variable = mat_.find(name);
-    if (!variable) fail(fmt::format("variable '{}' is missing; expected it beside pos_ev_k", name));
-    return mat_.read(*variable);
+  bool has(const std::string& name) const { return mat_.array.contains(name); }
+  const MatArray& array(const std::string& name) const {
+    if (!has(name)) fail(fmt::format("variable '{}' is missing; expected it beside pos_ev_k", name));
+    return mat_.array.at(name);
   }
   double number(const std::string& name) const {
-    const auto value = array(name).value;
+    const auto& value = array(name).value;
     if (value.size() != 1) fail(fmt::format("variable '{}' has {} values; expected one", name, value.size()));
     return value[0];
   }
 
   int event_number(int k) const {
-    if (!mat_.find("events")) return k;
-    const auto events = array("events").value;
+    if (!has("events")) return k;
+    const auto& events = array("events").value;
     if (static_cast<std::size_t>(k) > events.size())
       fail(fmt::format("events lists {} events; expected one for pos_ev_{}", events.size(), k));
     return static_cast<int>(events[static_cast<std::size_t>(k) - 1]);
   }
 
   std::vector<Drive> drives_of(int event) const {
-    const auto first = array(fmt::format("ev_st_{}", event)).value, last = array(fmt::format("ev_et_{}", event)).value;
+    const auto &first = array(fmt::format("ev_st_{}", event)).value, &last = array(fmt::format("ev_et_{}", event)).value;
     if (first.size() != last.size()) fail(fmt::format("ev_st_{0} and ev_et_{0} differ in length; expected one end per start", event));
     std::vector<Drive> out;
     for (std::size_t j = 0; j < first.size(); ++j) {
@@ -70,14 +70,14 @@ class Drives {
   // The smallest power of ten above every frame number.
   void find_stride() {
     std::int64_t highest = 1;
-    for (int k = 1; mat_.find(fmt::format("pos_ev_{}", k)); ++k)
+    for (int k = 1; has(fmt::format("pos_ev_{}", k)); ++k)
       for (const auto& drive : drives_of(event_number(k))) highest = std::max(highest, drive.last + 1);
     while (stride_ <= highest) stride_ *= 10;
   }
 
   void add_event(int k) {
-    const auto pos = array(fmt::format("pos_ev_{}", k));
-    const bool moving = mat_.find(fmt::format("vel_ev_{}", k)) != nullptr;
+    const auto& pos = array(fmt::format("pos_ev_{}", k));
+    const bool moving = has(fmt::format("vel_ev_{}", k));
     const auto vel = moving ? array(fmt::format("vel_ev_{}", k)) : MatArray{};
     if (pos.dims.size() != 3 || pos.dims[1] < 2 || pos.dims[1] > 3) fail(fmt::format("pos_ev_{} is not individuals x 2 x frames", k));
     if (moving && vel.dims != pos.dims) fail(fmt::format("vel_ev_{0} has another size than pos_ev_{0}; expected the same", k));
@@ -134,9 +134,19 @@ class Drives {
 
 }  // namespace
 
-bool has_drives(const MatFile& mat) {
-  const auto* first = mat.find("pos_ev_1");
-  return first && first->numeric && first->dims.size() == 3 && mat.find("dt");
+bool has_drives(const MatVariables& variables) {
+  const auto* first = find(variables, "pos_ev_1");
+  return first && first->numeric && first->dims.size() == 3 && find(variables, "dt");
+}
+
+std::vector<std::string> drive_variables(const MatVariables& variables) {
+  std::vector<std::string> out;
+  for (const auto& v : variables) {
+    const bool wanted = v.name == "dt" || v.name == "events" || v.name.starts_with("ev_st_") || v.name.starts_with("ev_et_") ||
+                        v.name.starts_with("pos_ev_") || v.name.starts_with("vel_ev_");
+    if (wanted) out.push_back(v.name);
+  }
+  return out;
 }
 
 RawTable read_drives(const MatFile& mat, const std::string& file) { return Drives(mat, file).read(); }

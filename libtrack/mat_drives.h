@@ -10,7 +10,10 @@
 namespace swarmfit {
 
 // The file has arrays pos_ev_1, pos_ev_2, ... of individuals x dimensions x frames, and a frame interval dt.
-bool has_drives(const MatFile& mat);
+bool has_drives(const MatVariables& variables);
+
+// The names of the variables that read_drives() needs.
+std::vector<std::string> drive_variables(const MatVariables& variables);
 
 // All drives as one recording with an episode per drive. pos_ev_k (and vel_ev_k, where there is one) holds the drives of event
 // n = events(k), one after the other; they last from frame ev_st_n(j) to ev_et_n(j) inclusive. Frame numbers are

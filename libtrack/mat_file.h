@@ -2,7 +2,8 @@
 // MATLAB files through matio, with every size checked before memory is taken.
 #pragma once
 
-#include <memory>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,25 +20,23 @@ struct MatArray {
 struct MatVariable {
   std::string name;
   std::vector<std::size_t> dims;
-  bool numeric = false;       // a real, dense array of numbers
+  bool numeric = false;       // a real, dense array of numbers with two or three dimensions
   std::string shown() const;  // "name (100 x 12)"
 };
 
-class MatFile {
- public:
-  // Throws InputError when the bytes are no MAT file. `name` is for messages.
-  MatFile(std::string name, std::string_view bytes);
-  ~MatFile();
-  const std::vector<MatVariable>& variables() const { return variables_; }
-  const MatVariable* find(std::string_view variable) const;  // nullptr: there is none
-  MatArray read(const MatVariable& variable) const;          // throws InputError
+using MatVariables = std::vector<MatVariable>;
 
- private:
-  struct Handle;
-  std::string name_;
-  std::size_t size_;
-  std::unique_ptr<Handle> handle_;
-  std::vector<MatVariable> variables_;
+// The variable of that name; nullptr: there is none.
+const MatVariable* find(const MatVariables& variables, std::string_view name);
+
+struct MatFile {
+  MatVariables variables;                 // all of the file
+  std::map<std::string, MatArray> array;  // those that were asked for
 };
+
+// Reads the variables whose names choose(all variables) returns. The work is done in a child process, because matio and HDF5 can crash
+// on damaged files. `name` is for messages. Throws InputError when the bytes are no sound MAT file, or what `choose` throws.
+MatFile read_mat_file(const std::string& name, std::string_view bytes,
+                      const std::function<std::vector<std::string>(const MatVariables&)>& choose);
 
 }  // namespace swarmfit

@@ -24,23 +24,23 @@ bool recognises(const Source& source, const ReadOptions&) {
 
 bool is_table(const MatVariable& v) { return v.numeric && v.dims.size() == 2 && v.dims[0] >= 2 && v.dims[1] >= 3; }
 
-std::string all_variables(const MatFile& mat) {
+std::string all_names(const MatVariables& variables) {
   std::vector<std::string> names;
-  for (const auto& v : mat.variables()) names.push_back(v.shown());
-  return names.empty() ? "none" : listed(names);
+  for (const auto& v : variables) names.push_back(v.shown());
+  return listed(names);
 }
 
-const MatVariable& choose_table(const MatFile& mat, const Source& source, const ReadOptions& options) {
+const MatVariable& choose_table(const MatVariables& variables, const std::string& file, const ReadOptions& options) {
   if (!options.variable.empty()) {
-    if (const auto* v = mat.find(options.variable)) return *v;
-    throw InputError(fmt::format("--var: {} has no variable '{}'; expected one of {}", source.name, options.variable, all_variables(mat)));
+    if (const auto* v = find(variables, options.variable)) return *v;
+    throw InputError(fmt::format("--var: {} has no variable '{}'; expected one of {}", file, options.variable, all_names(variables)));
   }
   for (const auto* usual : {"tracks_filt", "tracks"})
-    if (const auto* v = mat.find(usual); v && is_table(*v)) return *v;
-  const auto tables = std::count_if(mat.variables().begin(), mat.variables().end(), is_table);
-  if (tables == 1) return *std::find_if(mat.variables().begin(), mat.variables().end(), is_table);
-  throw InputError(fmt::format("{}: {} among its variables {}; expected --var NAME", source.name,
-                               tables == 0 ? "there is no table of rows" : "there are several tables", all_variables(mat)));
+    if (const auto* v = find(variables, usual); v && is_table(*v)) return *v;
+  const auto tables = std::count_if(variables.begin(), variables.end(), is_table);
+  if (tables == 1) return *std::find_if(variables.begin(), variables.end(), is_table);
+  throw InputError(fmt::format("{}: {} among its variables {}; expected --var NAME", file,
+                               tables == 0 ? "there is no table of rows" : "there are several tables", all_names(variables)));
 }
 
 ColumnMap find_map(const MatVariable& variable, const MatArray& table, const Source& source, const ReadOptions& options) {
@@ -80,8 +80,8 @@ void check_column(const RawTable& table, Column column, const std::vector<double
 }
 
 RawTable read_table(const MatFile& mat, const Source& source, const ReadOptions& options) {
-  const auto& variable = choose_table(mat, source, options);
-  const auto array = mat.read(variable);
+  const auto& variable = choose_table(mat.variables, source.name, options);
+  const auto& array = mat.array.at(variable.name);
   if (array.dims.size() != 2 || array.value.empty())
     throw InputError(fmt::format("{}: variable '{}' is not a table; expected rows and columns", source.name, variable.shown()));
   const auto map = find_map(variable, array, source, options);
@@ -105,9 +105,11 @@ RawTable read_table(const MatFile& mat, const Source& source, const ReadOptions&
 }
 
 RawTable read(const Source& source, const ReadOptions& options) {
-  const MatFile mat(source.name, source.bytes);
-  const bool drives = options.variable.empty() && has_drives(mat);
-  RawTable table = drives ? read_drives(mat, source.name) : read_table(mat, source, options);
+  const auto drives = [&](const MatVariables& variables) { return options.variable.empty() && has_drives(variables); };
+  const MatFile mat = read_mat_file(source.name, source.bytes, [&](const MatVariables& variables) {
+    return drives(variables) ? drive_variables(variables) : std::vector{choose_table(variables, source.name, options).name};
+  });
+  RawTable table = drives(mat.variables) ? read_drives(mat, source.name) : read_table(mat, source, options);
   table.format = kMatlab.format.name;
   return table;
 }
