@@ -170,7 +170,7 @@ Found smoothed(const Summary& s) {
   return Suspicion{
       "smoothed positions",
       "Differences of rising order do not level off as with the independent errors of a camera: positions were smoothed, interpolated or "
-      "simulated, and simulations must be smoothed alike before they are compared.",
+      "simulated, or the motion is this rough; if they were smoothed, smooth simulations alike before comparing.",
       ""};
 }
 

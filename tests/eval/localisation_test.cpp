@@ -75,6 +75,13 @@ TEST(Localisation, RecoversErrorsOverFourOrdersOfMagnitude) {
   }
 }
 
+// Turns of 10 frames leave more than the error's variance in every difference up to the fifth; at the seventh, 0.5 % of it.
+TEST(Localisation, FasterMotionNeedsHigherOrders) {
+  const auto rows = test::rows_of(20, 400, kDt, [](std::uint32_t i, double t) { return test::orbit(1, 80, 10, i, t); });
+  const Localisation l = estimate(jittered(rows, 0.5));
+  for (const double s : l.sigma) EXPECT_NEAR(s, 0.5, 0.025);
+}
+
 TEST(Localisation, WithoutErrorNothingIsFound) {
   const Localisation l = estimate(orbits());
   EXPECT_LT(l.sigma.maxCoeff(), 1e-6 * 80);

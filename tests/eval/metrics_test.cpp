@@ -138,6 +138,15 @@ TEST(Metrics, UndefinedValuesAreCountedAndNotSampled) {
   EXPECT_THAT(s.values[kDistance], SizeIs(8));  // a distance of 0 is a distance
 }
 
+TEST(Metrics, VelocityDifferenceNeedsADistance) {
+  const auto eta_at = [](double d) {
+    const std::vector<Row> rows = {{0, 0, {0, 0, 0}}, {1, 0, {d, 0, 0}}, {0, 1, {1, 0, 0}}, {1, 1, {3, 0, 0}}};
+    return metric_samples(tracks_of(rows)).values[kVelocityDifference];
+  };
+  EXPECT_THAT(eta_at(1e-8), SizeIs(2));
+  EXPECT_THAT(eta_at(1e-10), IsEmpty());
+}
+
 TEST(Metrics, VerySlowIsNotTurning) {
   std::vector<Row> rows;
   for (int k = 0; k < 4; ++k) {

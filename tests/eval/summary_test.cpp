@@ -161,7 +161,7 @@ TEST(Suspicions, IdentityJump) {
 TEST(Suspicions, FastAnimalsAreNoJumps) {
   auto rows = good();
   for (Row& row : rows)
-    if (row.track == 4) row.p = {50.0 * static_cast<double>(row.frame), 0, 0};  // one that passes by at 50 mm per frame
+    if (row.track == 4) row.p = {300.0 * static_cast<double>(row.frame), 0, 0};  // one that passes by at 300 mm per frame
   EXPECT_THAT(suspected(tracks_of(rows, {.dt = kDt})), Not(testing::Contains("identity jump")));
 }
 
