@@ -53,7 +53,7 @@ double half_step_change(const Comparison& c, const FitResult& r) {
 std::string sigma_text(const Comparison& c) {
   std::string out;
   for (int axis = 0; axis < c.data.dims; ++axis)
-    out += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], rounded(c.observation.sigma[axis]));
+    out += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], brief(c.observation.sigma[axis], 3));
   return out + ' ' + c.data.unit;
 }
 
@@ -65,6 +65,17 @@ std::string error_text(const Comparison& c) {
 
 std::string smoothing_text(const Comparison& c) {
   return c.observation.smoothing > 0 ? fmt::format("Gaussian, {} frames, on both sides", brief(c.observation.smoothing)) : "none";
+}
+
+// "5 motion metrics (v, a, ω, d, η)"
+std::string metrics_text(const Comparison& c) {
+  std::string symbols;
+  int number = 0;
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    if (!counts(c, m)) continue;
+    symbols += fmt::format("{}{}", number++ > 0 ? ", " : "", kMetricInfo[m].symbol);
+  }
+  return fmt::format("{} motion metrics ({})", number, symbols);
 }
 
 }  // namespace
@@ -109,7 +120,7 @@ Html search(const Comparison& c) {
 
 Html observation(const Comparison& c) {
   const ObservationFacts& o = c.observation;
-  Html facts = fact("presence of individuals", o.presence);
+  Html facts = fact("presence of individuals", o.presence == "recorded" ? "as recorded, gaps included" : o.presence);
   facts += fact("arena", o.arena);
   facts += fact("localisation error", error_text(c));
   facts += fact("smoothing", smoothing_text(c));
@@ -140,7 +151,7 @@ Html methods(const Comparison& c) {
                   "{} fresh replicates. Seed {}.",
                   models, c.version, c.data.frames, c.data.path, brief(c.data.individuals_per_frame, 3), brief(c.data.dt),
                   c.data.synthetic ? ", synthetic" : "", c.observation.presence, c.observation.arena, error, smooth, c.replicates, c.budget,
-                  c.final_replicates, c.seed));
+                  metrics_text(c), c.final_replicates, c.seed));
 }
 
 Html model_references(const Comparison& c) {

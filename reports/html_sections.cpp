@@ -2,7 +2,6 @@
 #include "reports/html_sections.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,24 +97,25 @@ Html ranking(const Comparison& c) {
   HtmlTable table("Models by score, with their raw energies");
   Cells head = {column("rank", true), column("model"), column("score ± se", true), column("score, 95 %")};
   metric_heads(c, head);
-  head.insert(head.end(), {column("tried", true), column("remarks")});
+  head.push_back(column("tried", true));
   table.head(head);
 
   const Scale scale = score_scale(c);
   for (std::size_t k = 0; k < c.models.size(); ++k) {
     const FitResult& r = c.models[k];
-    Cells cells = {number_cell(r.rank > 0 ? std::to_string(r.rank) : kUndefined), name_cell(model_name(c, k)),
+    Html name = model_name(c, k);
+    for (const std::string& remark : remarks(r)) name += element("span", "flag", escaped(remark));
+    Cells cells = {number_cell(r.rank > 0 ? std::to_string(r.rank) : kUndefined), name_cell(name),
                    number_cell(plus_minus(r.score, r.score_se, 3))};
     cells.push_back(
         {.content = interval_drawing(r.score, r.score - 1.96 * r.score_se, r.score + 1.96 * r.score_se, scale.lower, scale.upper, k)});
     metric_columns(c, cells, [&](std::size_t m) { return fixed(r.raw_energies[m], 2); });
     cells.push_back(number_cell(counted(r.evaluations)));
-    cells.push_back({.content = element("span", "flag", escaped(fmt::format("{}", fmt::join(remarks(r), "; "))))});
     table.row(cells, r.rank == 1 ? "first" : "");
   }
   Cells foot = {text_cell(""), name_cell(markup("weight in the score")), text_cell(""), text_cell("")};
   metric_columns(c, foot, [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 3) : kUndefined; });
-  foot.insert(foot.end(), {text_cell(""), text_cell("")});
+  foot.push_back(text_cell(""));
   return table.foot(foot).html();
 }
 
@@ -165,18 +165,18 @@ Html pdf_note(const Comparison& c) {
 }
 
 Html moments(const Comparison& c) {
-  HtmlTable table("Mean and standard deviation of every model, relative to the recording");
+  HtmlTable table("Mean and standard deviation: of the recording, and of every model as a multiple of it");
   Cells head = {column("model"), column("")};
-  metric_heads(c, head);
+  for (std::size_t m = 0; m < kMetrics; ++m)
+    head.push_back(column(fmt::format("{} [{}]", bracketed(c, m), metric_unit(m, c.data.unit)), true, !counts(c, m)));
   table.head(head);
-  const auto unit = [&](std::size_t m) { return metric_unit(m, c.data.unit); };
   Cells mean = {name_cell(markup("recording")), text_cell("mean")}, sd = {text_cell(""), text_cell("sd")};
-  metric_columns(c, mean, [&](std::size_t m) { return rounded(c.recording[m].moments.mean) + ' ' + unit(m); });
-  metric_columns(c, sd, [&](std::size_t m) { return rounded(c.recording[m].moments.sd()) + ' ' + unit(m); });
+  metric_columns(c, mean, [&](std::size_t m) { return rounded(c.recording[m].moments.mean); });
+  metric_columns(c, sd, [&](std::size_t m) { return rounded(c.recording[m].moments.sd()); });
   table.row(mean).row(sd);
   for (std::size_t k = 0; k < c.models.size(); ++k) {
     const FitResult& r = c.models[k];
-    Cells means = {name_cell(model_name(c, k)), text_cell("mean ×")}, sds = {text_cell(""), text_cell("sd ×")};
+    Cells means = {name_cell(model_name(c, k)), text_cell("mean\u00a0×")}, sds = {text_cell(""), text_cell("sd\u00a0×")};
     metric_columns(c, means, [&](std::size_t m) { return fixed(r.mean_ratio[m], 2); });
     metric_columns(c, sds, [&](std::size_t m) { return fixed(r.sd_ratio[m], 2); });
     table.row(means).row(sds);

@@ -59,6 +59,7 @@ void write_run(const std::string& dir, const Comparison& c) {
 std::string config_toml(const Comparison& c) {
   std::string out(kMark);
   out += ": `swarmfit " + c.command + " --config config.toml --out NEW_FOLDER` repeats it.\n";
+  out += '[' + c.command + "]\n";
   for (const auto& [key, value] : c.config) out += key + " = " + value + '\n';
   return out;
 }

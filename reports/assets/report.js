@@ -17,7 +17,7 @@
   function text(x) {
     if (!isNumber(x)) return "–";
     const size = Math.abs(x);
-    if (size !== 0 && (size < 1e-4 || size >= 1e7)) return x.toExponential(2);
+    if (size !== 0 && (size < 1e-4 || size >= 1e7)) return x.toExponential(2).replace(/\.?0+e/, "e");
     return Number(x.toPrecision(4)).toLocaleString("en-GB", { maximumSignificantDigits: 4 }).replaceAll(",", "\u202f");
   }
 
@@ -25,7 +25,7 @@
     return {
       title: { display: true, text: title, color: css("--soft") },
       grid: { color: css("--grid"), borderColor: css("--line") },
-      ticks: { color: css("--soft"), maxTicksLimit: 7, ...more.ticks },
+      ticks: { color: css("--soft"), maxTicksLimit: 7, includeBounds: false, ...more.ticks },
       ...Object.fromEntries(Object.entries(more).filter(([key]) => key !== "ticks")),
     };
   }
@@ -231,5 +231,6 @@
   drawAll();
   document.getElementById("legend").addEventListener("change", (event) => (event.target.id === "log" ? redraw() : showChosenModels()));
   document.getElementById("legend").addEventListener("submit", (event) => event.preventDefault());
+  addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
   for (const query of ["(prefers-color-scheme: dark)", "print"]) matchMedia(query).addEventListener("change", redraw);
 })();
