@@ -37,6 +37,7 @@ struct FitArguments {
   double error_limit = 0.5;
   int bins = 0;
   int replicates = 0;
+  int population = 0;
 };
 
 struct DescribeArguments {

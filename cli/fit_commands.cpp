@@ -34,9 +34,10 @@ std::string run_directory(const FitArguments& a) {
 void write_timing(const std::string& dir, double seconds, const Comparison& result) {
   std::int64_t simulations = 0;
   for (const auto& model : result.models) simulations += model.simulations;
-  write_file_atomically(dir + "/timing.json",
-                        fmt::format("{{\n  \"wall_seconds\": {:.3f},\n  \"threads\": {},\n  \"simulations\": {},\n  \"simulations_per_second\": {:.1f}\n}}\n",
-                                    seconds, omp_get_max_threads(), simulations, static_cast<double>(simulations) / seconds));
+  write_file_atomically(
+      dir + "/timing.json",
+      fmt::format("{{\n  \"wall_seconds\": {:.3f},\n  \"threads\": {},\n  \"simulations\": {},\n  \"simulations_per_second\": {:.1f}\n}}\n",
+                  seconds, omp_get_max_threads(), simulations, static_cast<double>(simulations) / seconds));
 }
 
 int run(const FitArguments& a, const CompareOptions& options) {
@@ -70,7 +71,8 @@ int run(const FitArguments& a, const CompareOptions& options) {
 int compare(const FitArguments& a) {
   const CompareOptions options = compare_options(a);
   if (options.models.size() < 2)
-    throw InputError("compare: fewer than two models; expected -m A,B,... or --preset noise|ablation|models (or swarmfit fit for one model)");
+    throw InputError(
+        "compare: fewer than two models; expected -m A,B,... or --preset noise|ablation|models (or swarmfit fit for one model)");
   return run(a, options);
 }
 

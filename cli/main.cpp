@@ -23,7 +23,8 @@ void add_common(CLI::App& app, Common& common) {
 
 void add_data(CLI::App& app, DataArguments& data, const char* name, const char* help) {
   app.add_option(name, data.path, help)->required();
-  app.add_option("--columns", data.columns, "what the columns hold: id,x,y,z,t,_,_ by position (_ skips), or id=object,t=time,x=X by header name");
+  app.add_option("--columns", data.columns,
+                 "what the columns hold: id,x,y,z,t,_,_ by position (_ skips), or id=object,t=time,x=X by header name");
   app.add_option("--delimiter", data.delimiter, "column delimiter, if it is not found by itself");
   app.add_option("--fps", data.fps, "frames per second, where the file does not tell")->check(CLI::PositiveNumber);
   app.add_option("--unit", data.unit, "length unit, where the file does not tell: mm, m, px, ...");
@@ -31,7 +32,8 @@ void add_data(CLI::App& app, DataArguments& data, const char* name, const char* 
   app.add_option("--format", data.format, "file format, if it is not found by itself: see swarmfit formats");
   app.add_option("--frames", data.frames, "use frames a:b only, inclusive, in the file's numbering");
   app.add_option("--times", data.times, "use times a:b only, inclusive [s]");
-  app.add_option("--fill-gaps", data.fill_gaps, "fill gaps of at most this many frames by linear interpolation")->check(CLI::NonNegativeNumber);
+  app.add_option("--fill-gaps", data.fill_gaps, "fill gaps of at most this many frames by linear interpolation")
+      ->check(CLI::NonNegativeNumber);
 }
 
 void add_fit(CLI::App& app, FitArguments& a) {
@@ -46,18 +48,26 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("--fix", a.fix, "parameters to keep at their default")->delimiter(',')->take_all();
   app.add_option("--bounds", a.bounds, "parameter=lower:upper, searched in between")->take_all();
   app.add_option("--presence", a.presence, "who is there when: recorded, or constant (everybody of the first frame, throughout)")
-      ->check(CLI::IsMember({"recorded", "constant"}))->capture_default_str();
+      ->check(CLI::IsMember({"recorded", "constant"}))
+      ->capture_default_str();
   app.add_option("--arena", a.arena, "open, box, sphere, or x0:x1,y0:y1[,z0:z1]")->capture_default_str();
+  app.add_option("--population", a.population,
+                 "how many individuals there were, where only part of the group was tracked: the rest is simulated unseen")
+      ->check(CLI::PositiveNumber);
   app.add_option("--obs-noise", a.observation_error, "localisation error put on simulated positions: estimate, or a value in length units")
       ->capture_default_str();
-  app.add_option("--error-limit", a.error_limit, "leave a metric out of the score if more than this share of its variance is localisation error")
-      ->check(CLI::Range(0.0, 1.0))->capture_default_str();
+  app.add_option("--error-limit", a.error_limit,
+                 "leave a metric out of the score if more than this share of its variance is localisation error")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   app.add_option("--smooth", a.smoothing, "smooth recording and simulations alike, Gaussian, standard deviation in frames")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--velocity", a.velocity, "difference of positions, or the recorded velocity column")
-      ->check(CLI::IsMember({"difference", "recorded"}))->capture_default_str();
+      ->check(CLI::IsMember({"difference", "recorded"}))
+      ->capture_default_str();
   app.add_option("--normalisation", a.normalisation, "whose mean and deviation standardise the metrics: reference, separate or none")
-      ->check(CLI::IsMember({"reference", "separate", "none"}))->capture_default_str();
+      ->check(CLI::IsMember({"reference", "separate", "none"}))
+      ->capture_default_str();
   app.add_option("--bins", a.bins, "histogram bins, instead of the normalisation's default")->check(CLI::NonNegativeNumber);
 }
 
@@ -121,24 +131,32 @@ struct Program {
     sub.add_option("--warm-up", a.warm_up, "frames to simulate before the first one written")->check(CLI::NonNegativeNumber);
     sub.add_option("--fps", a.fps, "frames per second")->check(CLI::PositiveNumber)->capture_default_str();
     sub.add_option("--dims", a.dims, "2 or 3")->check(CLI::IsMember({2, 3}))->capture_default_str();
-    sub.add_option("--box", a.box, "side of the reflecting box about the origin; 0 for open space")->check(CLI::NonNegativeNumber)->capture_default_str();
-    sub.add_option("--start-radius", a.start_radius, "agents start inside this radius; a quarter of the box if not given")->check(CLI::NonNegativeNumber);
+    sub.add_option("--box", a.box, "side of the reflecting box about the origin; 0 for open space")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    sub.add_option("--start-radius", a.start_radius, "agents start inside this radius; a quarter of the box if not given")
+        ->check(CLI::NonNegativeNumber);
     sub.add_option("--start-speed", a.start_speed, "speed at the start")->check(CLI::NonNegativeNumber)->capture_default_str();
     sub.add_option("--obs-noise", a.noise, "localisation error to add to positions")->check(CLI::NonNegativeNumber);
-    sub.add_option("--dropout", a.dropout, "probability per agent and frame that it is lost for up to five frames")->check(CLI::Range(0.0, 1.0));
+    sub.add_option("--dropout", a.dropout, "probability per agent and frame that it is lost for up to five frames")
+        ->check(CLI::Range(0.0, 1.0));
     sub.add_option("--unit", a.unit, "name of the length unit")->capture_default_str();
   }
 
   void add_evaluate() {
     auto& a = evaluate;
-    auto& sub = command("evaluate", "seven energies and the order parameters of two recordings", [this] { return cli::evaluate(evaluate); });
+    auto& sub =
+        command("evaluate", "seven energies and the order parameters of two recordings", [this] { return cli::evaluate(evaluate); });
     add_common(sub, a.common);
     add_data(sub, a.real, "REAL", "the recording");
     sub.add_option("SIM", a.simulated, "what is compared with it; read with the same options")->required();
     sub.add_option("--sim-columns", a.simulated_columns, "columns of SIM, where they differ");
     sub.add_option("--normalisation", a.normalisation, "reference, separate or none")
-        ->check(CLI::IsMember({"reference", "separate", "none"}))->capture_default_str();
-    sub.add_option("--velocity", a.velocity, "difference or recorded")->check(CLI::IsMember({"difference", "recorded"}))->capture_default_str();
+        ->check(CLI::IsMember({"reference", "separate", "none"}))
+        ->capture_default_str();
+    sub.add_option("--velocity", a.velocity, "difference or recorded")
+        ->check(CLI::IsMember({"difference", "recorded"}))
+        ->capture_default_str();
     sub.add_option("--bins", a.bins, "histogram bins, instead of the normalisation's default")->check(CLI::NonNegativeNumber);
   }
 
@@ -153,7 +171,8 @@ struct Program {
     add_fit(one, fit);
     auto& many = command("compare", "fit several models and rank them", [this] { return cli::compare(compare); });
     add_fit(many, compare);
-    many.add_option("--preset", compare.preset, "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: one of each model")
+    many.add_option("--preset", compare.preset,
+                    "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: one of each model")
         ->check(CLI::IsMember({"noise", "ablation", "models"}));
   }
 

@@ -26,8 +26,8 @@ ProgressLine::~ProgressLine() {
 std::string ProgressLine::text(const CompareProgress& now) const {
   const double rate = static_cast<double>(now.generation + 1) / std::max(1e-9, seconds(std::chrono::steady_clock::now() - start_));
   const double left = static_cast<double>(now.generations - now.generation) / rate;
-  return fmt::format("pass {}/{}  model {}/{} {}  generation {}/{}  {} simulated  best {:.4f}  at most {:.0f} s left here", now.pass, now.passes,
-                     now.index + 1, now.models, now.model, now.generation, now.generations, now.evaluations, now.best, left);
+  return fmt::format("pass {}/{}  model {}/{} {}  generation {}/{}  {} simulated  best {:.4f}  at most {:.0f} s left here", now.pass,
+                     now.passes, now.index + 1, now.models, now.model, now.generation, now.generations, now.evaluations, now.best, left);
 }
 
 void ProgressLine::show(const CompareProgress& now) {

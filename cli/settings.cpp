@@ -73,6 +73,7 @@ ConditionOptions condition_options(const FitArguments& a) {
   ConditionOptions o;
   o.presence = a.presence == "constant" ? ConditionOptions::Presence::constant : ConditionOptions::Presence::recorded;
   o.arena = a.arena;
+  o.population = a.population;
   o.smoothing = a.smoothing;
   o.velocity = a.velocity == "recorded" ? VelocitySource::recorded : VelocitySource::difference;
   if (a.observation_error != "estimate") {
@@ -199,6 +200,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   list("bounds", a.bounds);
   text("presence", a.presence);
   text("arena", a.arena);
+  positive("population", a.population);
   text("obs-noise", a.observation_error);
   out.emplace_back("error-limit", fmt::format("{}", a.error_limit));
   positive("smooth", a.smoothing);

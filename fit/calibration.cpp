@@ -4,21 +4,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <mutex>
-#include <tuple>
 
 namespace swarmfit {
 namespace {
 
-constexpr int kLeaders = 5;           // candidates judged again on fresh seeds
+constexpr int kLeaders = 5;             // candidates judged again on fresh seeds
 constexpr double kLeadersApart = 0.02;  // in the unit cube: closer candidates are the same answer
-constexpr int kLaterPassShare = 4;    // later passes start from the rescored archive, so they search and stall this many times sooner
+constexpr int kLaterPassShare = 4;      // later passes start from the rescored archive, so they search and stall this many times sooner
 
 bool near_any(const Point& x, const std::vector<Evaluated>& chosen, double apart) {
   return std::any_of(chosen.begin(), chosen.end(), [&](const Evaluated& e) { return (e.x - x).cwiseAbs().maxCoeff() < apart; });
 }
 
-bool lexicographic(const Point& a, const Point& b) { return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end()); }
+struct Lexicographic {
+  bool operator()(const Point& a, const Point& b) const { return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end()); }
+};
 
 }  // namespace
 
@@ -41,9 +43,8 @@ ModelSearch::ModelSearch(std::size_t index, const ModelChoice& model, const Cond
 void ModelSearch::pass(int number, const Weighting& weighting, const OnGeneration& on_generation) {
   if (space_.dimensions() > 0) {
     search(number, weighting, on_generation);
-    polish(number, weighting);
   } else if (archive_.empty()) {
-    costs({Point()}, weighting, number, "genetic");
+    keep(Point(), objective_.evaluate(space_.parameters(Point()), seeds_), number);
     stop_reason_ = "nothing to search";
   }
   select(number, weighting);
@@ -75,70 +76,54 @@ void ModelSearch::record(const Point& x, const Outcome& outcome, int pass, const
   failed_ += outcome.failed;
 }
 
-std::vector<double> ModelSearch::costs(const std::vector<Point>& points, const Weighting& weighting, int pass, const char* phase) {
-  std::vector<std::vector<double>> candidates;
-  for (const auto& x : points) candidates.push_back(space_.parameters(x));
-  const auto outcomes = objective_.evaluate(candidates, seeds_);
-  std::vector<double> out;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    record(points[k], outcomes[k], pass, phase);
-    archive_.push_back({points[k], outcomes[k].raw});
-    out.push_back(cost_of(outcomes[k].raw, weighting));
-  }
-  return out;
+void ModelSearch::keep(const Point& x, const Outcome& outcome, int pass) {
+  record(x, outcome, pass, "search");
+  archive_.push_back({x, outcome.raw});
 }
 
+// Refinements run side by side and finish in any order; what was seen is kept in the order in which the search lists it.
 void ModelSearch::search(int number, const Weighting& weighting, const OnGeneration& on_generation) {
   if (left() == 0) return;
-  GeneticOptions genetic;
-  genetic.population = options_.budget.population;
+  SearchOptions plan;
   const int share = number == 1 ? 1 : kLaterPassShare;
-  genetic.generations = std::max(1, options_.budget.generations / share);
-  genetic.stall = std::max(1, genetic.stall / share);
-  genetic.max_evaluations = options_.max_evaluations > 0 ? left() : 0;
-  const auto start = rescored(weighting, static_cast<std::size_t>(genetic.population), 0.0);
+  plan.genetic.population = options_.budget.population;
+  plan.genetic.generations = std::max(1, options_.budget.generations / share);
+  plan.genetic.stall = std::max(1, plan.genetic.stall / share);
+  plan.genetic.max_evaluations = options_.max_evaluations > 0 ? left() : 0;
+  plan.refine.starts = options_.budget.refinements;
   const auto before = evaluations();
-  const auto result = genetic_search(
-      space_.dimensions(), [&](const std::vector<Point>& x) { return costs(x, weighting, number, "genetic"); }, genetic,
-      rng_.derive(Stream::search, static_cast<std::uint64_t>(number)), start, [&](const GenerationReport& report) {
-        convergence_.push_back({number, before + report.evaluations, -report.best});
-        return !on_generation || on_generation({report.generation, before + report.evaluations, report.best});
-      });
-  if (result.stop == Stop::interrupted) throw Interrupted{};
-  stop_reason_ = to_string(result.stop);
-}
-
-// Starts run in parallel and finish in any order, so what they saw is put in an order of its own before it is kept.
-void ModelSearch::polish(int number, const Weighting& weighting) {
-  RefineOptions refinement;
-  refinement.starts = options_.budget.refinements;
-  refinement.evaluations = options_.budget.refine_evaluations / (number == 1 ? 1 : 2);
-  if (options_.max_evaluations > 0 && refinement.starts > 0)
-    refinement.evaluations = static_cast<int>(std::min<std::int64_t>(refinement.evaluations, left() / refinement.starts));
-  if (refinement.starts == 0 || refinement.evaluations == 0) return;
   std::mutex lock;
-  std::vector<std::pair<Point, Outcome>> seen;
-  refine(
-      rescored(weighting, static_cast<std::size_t>(refinement.starts), kLeadersApart),
-      [&](const Point& x) {
-        Outcome outcome = objective_.evaluate(space_.parameters(x), seeds_);
-        const double cost = cost_of(outcome.raw, weighting);
-        outcome.distributions = {};
-        const std::lock_guard guard(lock);
-        seen.emplace_back(x, std::move(outcome));
-        return cost;
-      },
-      refinement);
-  std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return lexicographic(a.first, b.first); });
-  for (auto& [x, outcome] : seen) {
-    record(x, outcome, number, "refine");
-    archive_.push_back({x, outcome.raw});
-  }
-  if (!seen.empty()) convergence_.push_back({number, evaluations(), -rescored(weighting, 1, 0.0).front().cost});
+  std::map<Point, Outcome, Lexicographic> seen;
+  const auto cost = [&](const std::vector<Point>& points) {
+    std::vector<std::vector<double>> candidates;
+    for (const auto& x : points) candidates.push_back(space_.parameters(x));
+    auto outcomes = objective_.evaluate(candidates, seeds_);
+    std::vector<double> costs;
+    const std::lock_guard guard(lock);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      costs.push_back(cost_of(outcomes[k].raw, weighting));
+      outcomes[k].distributions = {};  // large, and not needed again
+      seen.insert_or_assign(points[k], std::move(outcomes[k]));
+    }
+    return costs;
+  };
+  const auto start = rescored(weighting, static_cast<std::size_t>(plan.genetic.population), 0.0);
+  const Found found =
+      swarmfit::search(space_.dimensions(), cost, plan, rng_.derive(Stream::search, static_cast<std::uint64_t>(number)), start,
+                       [&](const GenerationReport& report) {
+                         convergence_.push_back({number, before + report.evaluations, -report.best});
+                         return !on_generation || on_generation({report.generation, before + report.evaluations, report.best});
+                       });
+  if (found.stop == Stop::interrupted) throw Interrupted{};
+  for (const auto& e : found.visited) keep(e.x, seen.at(e.x), number);
+  stop_reason_ = to_string(found.stop);
+  recommended_ = found.recommended.x;
+  convergence_.push_back({number, evaluations(), -rescored(weighting, 1, 0.0).front().cost});
 }
 
 void ModelSearch::select(int number, const Weighting& weighting) {
-  const auto leaders = rescored(weighting, kLeaders, kLeadersApart);
+  auto leaders = rescored(weighting, kLeaders, kLeadersApart);
+  if (recommended_.size() > 0 && !same(leaders.front().x, recommended_)) leaders.push_back({recommended_, 0});
   std::vector<std::vector<double>> candidates;
   for (const auto& leader : leaders) candidates.push_back(space_.parameters(leader.x));
   const auto outcomes = objective_.evaluate(candidates, final_seeds_);

@@ -19,7 +19,7 @@ class ModelSearch {
   ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target,
               const CompareOptions& options, std::vector<HistoryRow>& history);
 
-  // One calibration pass: rescores the archive, searches, refines, and selects among the leaders on fresh seeds.
+  // One calibration pass: rescores the archive, searches, and selects among the leaders on fresh seeds.
   void pass(int number, const Weighting& weighting, const OnGeneration& on_generation);
 
   const Selected& selected() const { return selected_; }
@@ -38,10 +38,9 @@ class ModelSearch {
     Energies raw;
   };
   std::vector<Evaluated> rescored(const Weighting& weighting, std::size_t most, double apart) const;
-  std::vector<double> costs(const std::vector<Point>& points, const Weighting& weighting, int pass, const char* phase);
-  void record(const Point& x, const Outcome& outcome, int pass, const char* phase);
+  void record(const Point& x, const Outcome& outcome, int pass, const char* phase);  // in the history
+  void keep(const Point& x, const Outcome& outcome, int pass);                       // and in the archive
   void search(int number, const Weighting& weighting, const OnGeneration& on_generation);
-  void polish(int number, const Weighting& weighting);
   void select(int number, const Weighting& weighting);
   std::int64_t left() const;  // evaluations that max_evaluations still allows
 
@@ -53,6 +52,7 @@ class ModelSearch {
   Rng rng_;
   std::vector<Rng> seeds_, final_seeds_;
   std::vector<Archived> archive_;
+  Point recommended_;  // by the last search's response surface; empty before
   Selected selected_;
   std::int64_t simulations_ = 0, failed_ = 0;
   std::string stop_reason_;

@@ -15,10 +15,10 @@ namespace swarmfit {
 namespace {
 
 const std::array<Budget, 3> kBudgets{{
-    // name     population generations replicates refinements each final passes
-    {"quick", 24, 16, 2, 2, 40, 6, 3},
-    {"default", 40, 60, 3, 2, 100, 10, 6},
-    {"thorough", 80, 120, 5, 4, 250, 20, 10},
+    // name     population generations replicates refinements final passes
+    {"quick", 24, 20, 2, 2, 6, 3},
+    {"default", 40, 60, 3, 2, 10, 6},
+    {"thorough", 80, 120, 5, 4, 20, 10},
 }};
 
 Eigen::MatrixXd energy_table(const std::vector<ModelSearch>& searches) {

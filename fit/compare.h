@@ -16,11 +16,11 @@ namespace swarmfit {
 // How much searching is done per model and calibration pass.
 struct Budget {
   std::string name;
-  int population, generations, replicates;  // candidates per generation, generations, simulations per candidate
-  int refinements;                          // candidates refined by Nelder-Mead at the end of a pass
-  int refine_evaluations;                   // each
-  int final_replicates;                     // fresh seeds of the final selection
-  int passes;                               // of the calibration loop, at most
+  int population, generations;  // their product is the number of candidates of the first pass, refinement included
+  int replicates;               // simulations per candidate
+  int refinements;              // candidates refined by Nelder-Mead within that number
+  int final_replicates;         // fresh seeds of the final selection
+  int passes;                   // of the calibration loop, at most
 };
 // "quick", "default" or "thorough"; throws InputError naming them.
 Budget budget_named(const std::string& name);
@@ -54,7 +54,8 @@ struct Interrupted {};
 
 Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress = {});
 
-// Every row of the model's parameter table with the fitted values: what Objective and plant() take. Rows that the settings do not use are 0.
+// Every row of the model's parameter table with the fitted values: what Objective and plant() take. Rows that the settings do not use are
+// 0.
 std::vector<double> parameter_values(const ModelChoice& model, const FitResult& fit);
 
 }  // namespace swarmfit

@@ -72,6 +72,34 @@ std::vector<Presence::Visit> constant_visits(const Tracks& tracks) {
   return visits;
 }
 
+// Individuals that were there but not tracked: there throughout, starting where and as fast as somebody was recorded at some time.
+std::vector<Presence::Visit> unseen_visits(const Tracks& tracks, int count) {
+  constexpr Rng rng{0};  // the same for all seeds: they are part of the conditions
+  std::vector<Presence::Visit> visits;
+  const auto recorded = recorded_visits(tracks);
+  for (int k = 0; k < count; ++k) {
+    const auto u = rng.uniform2(Stream::start, 0, static_cast<std::uint32_t>(k));
+    const auto row = static_cast<Index>(u[0] * static_cast<double>(tracks.rows()));
+    const auto& like = recorded[static_cast<std::size_t>(u[1] * static_cast<double>(recorded.size()))];
+    visits.push_back({static_cast<std::uint32_t>(tracks.track_count()) + static_cast<std::uint32_t>(k), like.kind,
+                      tracks.frames().front().number, tracks.frames().back().number, tracks.pos().row(row).transpose(), like.vel});
+  }
+  return visits;
+}
+
+double individuals_per_frame(const Tracks& tracks) {
+  return static_cast<double>(tracks.rows()) / static_cast<double>(tracks.frames().size());
+}
+
+int unseen_individuals(const Tracks& tracks, int population) {
+  if (population <= 0) return 0;
+  const double seen = individuals_per_frame(tracks);
+  if (population < seen)
+    throw InputError(
+        fmt::format("--population {}: fewer than the {:.1f} individuals seen per frame; expected at least as many", population, seen));
+  return static_cast<int>(std::lround(population - seen));
+}
+
 double parse_number(std::string_view text, const std::string& whole) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -104,8 +132,8 @@ void require_inside(const Bounds& bounds, const Tracks& recording, const std::st
   for (int axis = 0; axis < recording.dims(); ++axis) {
     const auto column = recording.pos().col(axis);
     if (column.minCoeff() < bounds.lower[axis] || column.maxCoeff() > bounds.upper[axis])
-      throw InputError(fmt::format("--arena {}: recorded positions reach {:.6g}:{:.6g} along {}; expected an arena that contains them", text,
-                                   column.minCoeff(), column.maxCoeff(), "xyz"[axis]));
+      throw InputError(fmt::format("--arena {}: recorded positions reach {:.6g}:{:.6g} along {}; expected an arena that contains them",
+                                   text, column.minCoeff(), column.maxCoeff(), "xyz"[axis]));
   }
 }
 
@@ -169,8 +197,13 @@ Conditions make_conditions(const Tracks& recording, const ConditionOptions& opti
   if (recording.dims() == 2) c.sigma[2] = 0;
   c.world.dims = recording.dims();
   c.world.bounds = parse_arena(options.arena, recording);
-  c.world.add(std::make_unique<Presence>(options.presence == ConditionOptions::Presence::recorded ? recorded_visits(recording)
-                                                                                                  : constant_visits(recording)));
+  auto visits = options.presence == ConditionOptions::Presence::recorded ? recorded_visits(recording) : constant_visits(recording);
+  c.unseen = unseen_individuals(recording, options.population);
+  const auto unseen = unseen_visits(recording, c.unseen);
+  visits.insert(visits.end(), unseen.begin(), unseen.end());
+  c.world.add(std::make_unique<Presence>(std::move(visits)));
+  // Neighbours of the whole group are nearer than those among the tracked.
+  if (options.population > 0) c.scales.spacing *= std::pow(individuals_per_frame(recording) / options.population, 1.0 / recording.dims());
   c.first_frame = recording.frames().front().number;
   c.frames = recording.frames().back().number - c.first_frame + 1;
   return c;

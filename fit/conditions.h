@@ -20,6 +20,7 @@ struct ConditionOptions {
   std::string arena = "open";  // open | box | sphere | x0:x1,y0:y1[,z0:z1]
   Error error = Error::estimate;
   double sigma = 0;      // localisation error of every axis, for Error::given [unit]
+  int population = 0;    // how many there really were, where only part of the group was tracked; 0: as recorded
   double smoothing = 0;  // Gaussian smoothing of both sides, standard deviation in frames
   VelocitySource velocity = VelocitySource::difference;
 };
@@ -33,6 +34,7 @@ struct Conditions {
   Localisation localisation;                      // as estimated, whatever is used
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error put on simulated positions, per axis [unit]
   std::int64_t first_frame = 0, frames = 0;
+  int unseen = 0;  // simulated individuals that the camera does not see
 };
 
 // Throws InputError where the recording cannot carry a fit: no motion, one individual only, an arena that excludes recorded positions.

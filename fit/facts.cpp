@@ -10,9 +10,9 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kScaleOff = 2;           // a mean off by more than this factor is called wrong in scale
-constexpr double kInfeasible = 0.05;      // share of agent-steps without a collision-free velocity worth a warning
-constexpr double kFewIndividuals = 5;     // neighbour statistics of smaller groups say little
+constexpr double kScaleOff = 2;        // a mean off by more than this factor is called wrong in scale
+constexpr double kInfeasible = 0.05;   // share of agent-steps without a collision-free velocity worth a warning
+constexpr double kFewIndividuals = 5;  // neighbour statistics of smaller groups say little
 constexpr double kStandardErrors = 2;
 
 std::string name_of(ConditionOptions::Error e) {
@@ -25,13 +25,13 @@ void warn(std::vector<std::string>& out, fmt::format_string<Args...> text, Args&
 }
 
 void warn_of_data(const Comparison& r, std::vector<std::string>& out) {
-  for (std::size_t j = 0; j < kMetrics; ++j)
-    if (!r.observation.why_not[j].empty()) warn(out, "{} is shown but not scored: {}.", kMetricInfo[j].name, r.observation.why_not[j]);
   if (r.data.individuals_per_frame < kFewIndividuals)
-    warn(out, "Only {:.1f} individuals per frame: neighbour distances of so small a group say little about interaction.", r.data.individuals_per_frame);
+    warn(out, "Only {:.1f} individuals per frame: neighbour distances of so small a group say little about interaction.",
+         r.data.individuals_per_frame);
   if (!r.observation.white && r.observation.error_source == "estimate")
-    warn(out, "The measurement error is not independent from frame to frame (the positions look smoothed), so its estimate is a guess; "
-              "give it with --obs-noise, or compare with --obs-noise 0.");
+    warn(out,
+         "The measurement error is not independent from frame to frame (the positions look smoothed), so its estimate is a guess; "
+         "give it with --obs-noise, or compare with --obs-noise 0.");
 }
 
 // Energies of one run move together, so the total's scatter is taken over replicates and not summed over metrics.
@@ -57,8 +57,10 @@ void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::strin
     warn(out, "{}: {} ended on a bound, so its rank is conditional on the bounds; widen with --bounds.", m.model, fmt::join(bounds, ", "));
   for (const std::size_t j : {kSpeed, kDistance})
     if (const double ratio = m.mean_ratio[j]; std::isfinite(ratio) && (ratio > kScaleOff || ratio < 1 / kScaleOff))
-      warn(out, "{}: wrong in scale, its mean {} is {:.2g} times the recorded one, whatever its score.", m.model, kMetricInfo[j].name, ratio);
-  if (m.failed_final > 0) warn(out, "{}: {:.0f} % of the final simulations blew up and count with the worst energy.", m.model, 100 * m.failed_final);
+      warn(out, "{}: wrong in scale, its mean {} is {:.2g} times the recorded one, whatever its score.", m.model, kMetricInfo[j].name,
+           ratio);
+  if (m.failed_final > 0)
+    warn(out, "{}: {:.0f} % of the final simulations blew up and count with the worst energy.", m.model, 100 * m.failed_final);
   if (m.infeasible_avoidance > kInfeasible)
     warn(out, "{}: no collision-free velocity existed in {:.0f} % of all agent-steps.", m.model, 100 * m.infeasible_avoidance);
   warn_of_step(m, r, out);
@@ -70,6 +72,7 @@ ObservationFacts observation_facts(const Conditions& c, const Target& target, co
   ObservationFacts facts;
   facts.presence = c.options.presence == ConditionOptions::Presence::recorded ? "recorded" : "constant";
   facts.arena = c.options.arena;
+  facts.unseen = c.unseen;
   facts.error_source = name_of(c.options.error);
   facts.sigma = c.sigma;
   facts.white = c.localisation.white;
@@ -133,7 +136,8 @@ std::vector<std::string> warnings_for(const Comparison& r) {
   if (r.data.synthetic) warn(out, "This recording is synthetic: it was made by a simulator.");
   warn_of_data(r, out);
   if (r.models.size() == 2)
-    warn(out, "With two models the entropy weights only count which model is nearer in each metric; read the raw energies beside the score.");
+    warn(out,
+         "With two models the entropy weights only count which model is nearer in each metric; read the raw energies beside the score.");
   if (r.models.size() > 1 && !r.weights_converged)
     warn(out, "The weights had not settled after {} passes (last change {:.3f}); a larger --budget may move the scores.",
          r.weight_history.size(), r.weight_history.back().largest_change);

@@ -47,7 +47,8 @@ Tracks Objective::simulate(const std::vector<double>& candidate, const Rng& seed
   const bool as_recorded = conditions_.options.presence == ConditionOptions::Presence::recorded;
   const bool keep_velocity = conditions_.options.velocity == VelocitySource::recorded;
   TrackCollector collector(conditions_.recording.names(), keep_velocity);
-  Observer camera(as_recorded ? &conditions_.recording : nullptr, conditions_.sigma, seed, collector);
+  Observer camera(as_recorded ? &conditions_.recording : nullptr, conditions_.sigma, seed, collector,
+                  static_cast<std::uint32_t>(conditions_.recording.track_count()));
   Plan plan = plan_;
   plan.substeps *= finer;
   Lane lane{candidate, seed, State{}, conditions_.world, &camera, {}, false};

@@ -5,18 +5,19 @@
 
 namespace swarmfit {
 
-Observer::Observer(const Tracks* mask, const Eigen::Array3d& sigma, Rng rng, FrameSink& out)
-    : mask_(mask), sigma_(sigma), rng_(rng), out_(out) {}
+Observer::Observer(const Tracks* mask, const Eigen::Array3d& sigma, Rng rng, FrameSink& out, std::uint32_t tracked)
+    : mask_(mask), sigma_(sigma), rng_(rng), out_(out), tracked_(tracked) {}
 
 void Observer::advance_to(std::int64_t frame) {
   const auto frames = mask_->frames();
   while (cursor_ < frames.size() && frames[cursor_].number < frame) ++cursor_;
   const bool recorded = cursor_ < frames.size() && frames[cursor_].number == frame;
-  visible_ = recorded ? mask_->track().subspan(static_cast<std::size_t>(frames[cursor_].first), static_cast<std::size_t>(frames[cursor_].count))
-                      : std::span<const std::uint32_t>{};
+  visible_ = recorded
+                 ? mask_->track().subspan(static_cast<std::size_t>(frames[cursor_].first), static_cast<std::size_t>(frames[cursor_].count))
+                 : std::span<const std::uint32_t>{};
 }
 
-bool Observer::seen(std::uint32_t id) const { return !mask_ || std::binary_search(visible_.begin(), visible_.end(), id); }
+bool Observer::seen(std::uint32_t id) const { return mask_ ? std::binary_search(visible_.begin(), visible_.end(), id) : id < tracked_; }
 
 void Observer::frame(const Snapshot& now) {
   if (mask_) advance_to(now.frame);

@@ -10,8 +10,9 @@ namespace swarmfit {
 // carries a localisation error of its own. Sits between a simulation and the evaluator; ids are track numbers of the recording.
 class Observer : public FrameSink {
  public:
-  // mask: the recording whose presence and gaps are applied, or null to see everybody. sigma: error per axis [unit].
-  Observer(const Tracks* mask, const Eigen::Array3d& sigma, Rng rng, FrameSink& out);
+  // mask: the recording whose presence and gaps are applied, or null to see everybody with an id below `tracked`. sigma: error per axis
+  // [unit].
+  Observer(const Tracks* mask, const Eigen::Array3d& sigma, Rng rng, FrameSink& out, std::uint32_t tracked = UINT32_MAX);
   void frame(const Snapshot& now) override;
 
  private:
@@ -22,6 +23,7 @@ class Observer : public FrameSink {
   Eigen::Array3d sigma_;
   Rng rng_;
   FrameSink& out_;
+  std::uint32_t tracked_;
   std::size_t cursor_ = 0;                  // first frame of the mask not before the present one
   std::span<const std::uint32_t> visible_;  // track numbers seen in this frame, ascending
   std::vector<std::uint32_t> id_;           // buffers of the frame passed on

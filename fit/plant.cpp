@@ -39,7 +39,8 @@ State start(const PlantOptions& o) {
 // Drops the warm-up and what the camera missed; frame numbers start at 0.
 class Camera : public FrameSink {
  public:
-  Camera(const PlantOptions& options, FrameSink& out) : options_(options), out_(out), hidden_until_(static_cast<std::size_t>(options.agents), 0) {}
+  Camera(const PlantOptions& options, FrameSink& out)
+      : options_(options), out_(out), hidden_until_(static_cast<std::size_t>(options.agents), 0) {}
 
   void frame(const Snapshot& now) override {
     const std::int64_t number = now.frame - options_.warm_up;
@@ -79,7 +80,8 @@ std::vector<double> scene_parameters(const ModelChoice& model, const std::map<st
   for (const auto& [name, value] : set) {
     const int row = model.spec->find(name);
     if (row < 0)
-      throw InputError(fmt::format("--set {}: {} has no such parameter; expected one of {}", name, model.spec->name, fmt::join(names, ", ")));
+      throw InputError(
+          fmt::format("--set {}: {} has no such parameter; expected one of {}", name, model.spec->name, fmt::join(names, ", ")));
     values[static_cast<std::size_t>(row)] = value;
   }
   return values;

@@ -30,6 +30,7 @@ struct DataFacts {
 struct ObservationFacts {
   std::string presence;                           // "recorded" or "constant"
   std::string arena;                              // as --arena takes it
+  int unseen = 0;                                 // individuals simulated beside the tracked ones (--population)
   std::string error_source;                       // "estimate", "given", "none"
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error per axis [unit]
   bool white = true;                              // the estimate is consistent with white error
@@ -85,7 +86,7 @@ struct FitResult {
 struct HistoryRow {
   std::size_t model;  // index into the order in which models were named
   int pass;
-  std::string phase;      // "genetic", "refine", "final"
+  std::string phase;      // "search", or "final": on fresh seeds
   std::vector<double> x;  // searched parameters, physical units, in table order
   Energies raw{};
   int failed = 0;  // replicates that blew up

@@ -37,7 +37,8 @@ void check_keys(const std::map<std::string, Value>& requests, const char* flag, 
     for (const auto& m : models)
       for (const auto& p : m.spec->parameters)
         if (std::find(names.begin(), names.end(), p.name) == names.end()) names.push_back(p.name);
-    throw InputError(fmt::format("{} {}: no model of this run has such a parameter; expected one of {}", flag, key, fmt::join(names, ", ")));
+    throw InputError(
+        fmt::format("{} {}: no model of this run has such a parameter; expected one of {}", flag, key, fmt::join(names, ", ")));
   }
 }
 
@@ -68,7 +69,8 @@ void SearchSpace::apply(const ModelChoice& model, const ParameterRequests& reque
     if (value || find_request(requests.fix, model, table[p].name)) search(p, false);
     if (!bounds) continue;
     const auto [lower, upper] = *bounds;
-    if (!(lower < upper)) throw InputError(fmt::format("--bounds {}={}:{}: the interval is empty; expected lower < upper", table[p].name, lower, upper));
+    if (!(lower < upper))
+      throw InputError(fmt::format("--bounds {}={}:{}: the interval is empty; expected lower < upper", table[p].name, lower, upper));
     axes_[p].lower = lower;
     axes_[p].upper = upper;
     axes_[p].log = table[p].log && lower > 0;  // a zero lower bound is never log-scaled
@@ -94,7 +96,8 @@ Point SearchSpace::point(const std::vector<double>& parameters) const {
   for (std::size_t k = 0; k < searched_.size(); ++k) {
     const auto& axis = axes_[searched_[k]];
     const double value = std::clamp(parameters[searched_[k]], axis.lower, axis.upper);
-    const double u = axis.log ? std::log(value / axis.lower) / std::log(axis.upper / axis.lower) : (value - axis.lower) / (axis.upper - axis.lower);
+    const double u =
+        axis.log ? std::log(value / axis.lower) / std::log(axis.upper / axis.lower) : (value - axis.lower) / (axis.upper - axis.lower);
     x[static_cast<Index>(k)] = std::clamp(u, 0.0, 1.0);
   }
   return x;
@@ -106,7 +109,8 @@ std::vector<ParameterResult> SearchSpace::describe(const Point& x, const std::st
   std::vector<ParameterResult> out;
   for (std::size_t p = 0; p < table.size(); ++p) {
     if (!model_.spec->uses(p, model_.options)) continue;
-    ParameterResult r{std::string(table[p].name), std::string(table[p].symbol), to_string(table[p].unit, length_unit), std::string(table[p].meaning)};
+    ParameterResult r{std::string(table[p].name), std::string(table[p].symbol), to_string(table[p].unit, length_unit),
+                      std::string(table[p].meaning)};
     r.value = r.lower = r.upper = values[p];
     const auto found = std::find(searched_.begin(), searched_.end(), p);
     if (found != searched_.end()) {

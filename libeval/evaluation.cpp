@@ -17,7 +17,8 @@ constexpr double kSameInterval = 0.01;  // relative difference of frame interval
 void require_comparable(const Tracks& real, const Tracks& simulated) {
   const auto& a = real.meta();
   const auto& b = simulated.meta();
-  if (a.dims != b.dims) throw InputError(fmt::format("{}: has {} dimensions; expected {} as in {}", b.from.path, b.dims, a.dims, a.from.path));
+  if (a.dims != b.dims)
+    throw InputError(fmt::format("{}: has {} dimensions; expected {} as in {}", b.from.path, b.dims, a.dims, a.from.path));
   if (a.unit != b.unit) throw InputError(fmt::format("{}: is in {}; expected {} as in {}", b.from.path, b.unit, a.unit, a.from.path));
   if (std::abs(a.dt - b.dt) > kSameInterval * a.dt)
     throw InputError(fmt::format("{}: its frame interval is {:.6g} s; expected {:.6g} s as in {}", b.from.path, b.dt, a.dt, a.from.path));
@@ -77,7 +78,8 @@ WeighedTable weigh(const std::string& name, std::string_view csv) {
     if (!has_content(line)) continue;
     if (table.metrics.empty()) {
       table.metrics = header(line);
-      if (table.metrics.empty()) throw InputError(at(name, lines.number(), 1, "no metric is named; expected a header such as model,v,a,omega"));
+      if (table.metrics.empty())
+        throw InputError(at(name, lines.number(), 1, "no metric is named; expected a header such as model,v,a,omega"));
       continue;
     }
     Fields fields(line, ',');

@@ -32,7 +32,7 @@ Evaluation evaluate(const Tracks& real, const Tracks& simulated, const Binning& 
 // A table of energies with names: rows are models, columns metrics.
 struct WeighedTable {
   std::vector<std::string> models, metrics;
-  Eigen::MatrixXd energies;    // as given; NaN: undefined
+  Eigen::MatrixXd energies;  // as given; NaN: undefined
   Weighting weighting;
   std::vector<double> scores;  // per row; NaN: undefined
 };

@@ -114,6 +114,7 @@ struct Setup {
   Options options;                    // complete
   Scales scales;                      // of the recording, or all 1 in a scene
   const Tracks* reference = nullptr;  // the recording, for models that need one; outlives the model
+  Rng rng{};                          // for what is drawn once per model, such as samples of the reference
 };
 
 // A model's private workspace for one run: noise tables, buffers. Never carries results between steps.
@@ -130,7 +131,7 @@ struct Counters {
 
 struct StepContext {
   double t, dt;               // [s]
-  std::uint64_t tick;         // eighths of a step since the start of the run: the time axis of random numbers
+  std::uint64_t tick;         // eighths of a step since frame 0: the time axis of random numbers
   bool can_halve;             // false: this step may not return halve_dt
   std::span<const double> p;  // one value per row of the parameter table, schedules applied, in the state's units
   Rng rng;
@@ -150,7 +151,7 @@ class Model {
   virtual Index columns() const { return 0; }
 
   // Fills the private columns of agents that have just appeared: rows first .. end.
-  virtual void enter(State&, Index /*first*/, const World&, const Rng&) const {}
+  virtual void enter(State&, Index /*first*/, const World&, const StepContext&) const {}
 
   virtual std::unique_ptr<Workspace> workspace(const World&, const Rng&) const { return nullptr; }
 

@@ -19,12 +19,11 @@ class Run {
       : model_(model), plan_(plan), lane_(lane), now_(lane.state), p_(lane.p), work_(model.workspace(lane.world, lane.rng)) {}
 
   void operator()() {
-    settle();
     for (std::int64_t k = 0; k < plan_.frames && !lane_.blew_up; ++k) {
       const std::int64_t frame = plan_.first_frame + k;
       prepare(frame, 0);
-      if (lane_.out) lane_.out->frame({frame, now_.id, now_.kind, now_.pos, now_.vel});
-      if (k + 1 < plan_.frames) advance_frame(frame, k);
+      if (lane_.out) lane_.out->frame({frame, now_.id, now_.kind, now_.pos, now_.vel, &now_.own});
+      if (k + 1 < plan_.frames) advance_frame(frame);
     }
   }
 
@@ -32,31 +31,37 @@ class Run {
   double dt() const { return plan_.frame_dt / plan_.substeps; }
   double time(std::int64_t frame, int sub) const { return static_cast<double>(frame) * plan_.frame_dt + sub * dt(); }
 
+  // Counted from frame 0, not from the run's first frame: a run may be stopped and gone on with, and draws the same numbers.
+  std::uint64_t tick(std::int64_t frame, int sub) const { return static_cast<std::uint64_t>(frame * plan_.substeps + sub) * kTicksPerStep; }
+
+  StepContext context(double t, double length, std::uint64_t tick, int halvings) {
+    return {t, length, tick, halvings > 0, p_, lane_.rng, near_, work_.get(), lane_.count};
+  }
+
   // Lets the world move and agents come and go.
   void prepare(std::int64_t frame, int sub) {
-    lane_.world.advance({frame, sub, time(frame, sub), dt()}, now_);
-    settle();
+    for (const Schedule& s : plan_.schedules) p_[s.parameter] = s.at(time(frame, sub));
+    lane_.world.advance({frame, sub, time(frame, sub), dt(), lane_.rng}, now_);
+    settle(frame, sub);
   }
 
   // Newcomers get their private columns, and the second buffer the same agents as the first.
-  void settle() {
+  void settle(std::int64_t frame, int sub) {
     if (now_.own.cols() != model_.columns()) now_.own.setZero(now_.size(), model_.columns());
     if (now_.entered < now_.size()) {
       const Index first = now_.entered;
       now_.entered = now_.size();
-      model_.enter(now_, first, lane_.world, lane_.rng);
+      model_.enter(now_, first, lane_.world, context(time(frame, sub), dt(), tick(frame, sub), kHalvings));
     }
     if (next_.id != now_.id || next_.kind != now_.kind) next_ = now_;
     next_.entered = now_.entered;
     next_.next_id = now_.next_id;
   }
 
-  void advance_frame(std::int64_t frame, std::int64_t k) {
+  void advance_frame(std::int64_t frame) {
     for (int sub = 0; sub < plan_.substeps && !lane_.blew_up; ++sub) {
       if (sub > 0) prepare(frame, sub);
-      for (const Schedule& s : plan_.schedules) p_[s.parameter] = s.at(time(frame, sub));
-      const auto step = static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(plan_.substeps) + static_cast<std::uint64_t>(sub);
-      advance(time(frame, sub), dt(), step * kTicksPerStep, kHalvings);
+      advance(time(frame, sub), dt(), tick(frame, sub), kHalvings);
     }
   }
 
@@ -64,8 +69,7 @@ class Run {
   void advance(double t, double length, std::uint64_t tick, int halvings) {
     if (now_.size() == 0 || lane_.blew_up) return;
     if (now_.own.cols() > 0) next_.own = now_.own;
-    const StepContext context{t, length, tick, halvings > 0, p_, lane_.rng, near_, work_.get(), lane_.count};
-    switch (model_.step(now_, next_, lane_.world, context)) {
+    switch (model_.step(now_, next_, lane_.world, context(t, length, tick, halvings))) {
       case Step::done:
         return accept();
       case Step::halve_dt:

@@ -9,7 +9,7 @@ Stimuli::Stimuli(std::vector<Stimulus> stimuli) : stimuli_(std::move(stimuli)) {
   for (const Stimulus& s : stimuli_) position_.push_back(s.start);
 }
 
-void Stimuli::advance(const Clock& clock, State&) {
+void Stimuli::advance(const Clock& clock, const World&, State&) {
   for (std::size_t k = 0; k < stimuli_.size(); ++k) position_[k] = stimuli_[k].start + clock.t * stimuli_[k].velocity;
 }
 

@@ -20,7 +20,7 @@ class Stimuli : public WorldPart {
  public:
   explicit Stimuli(std::vector<Stimulus> stimuli);
   std::unique_ptr<WorldPart> clone() const override { return std::make_unique<Stimuli>(*this); }
-  void advance(const Clock& clock, State&) override;
+  void advance(const Clock& clock, const World&, State&) override;
 
   struct Near {
     int index = -1;  // of the stimulus; -1: none within range

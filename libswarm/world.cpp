@@ -105,7 +105,7 @@ Presence::Presence(std::vector<Visit> visits) {
   visits_ = std::make_shared<const std::vector<Visit>>(std::move(visits));
 }
 
-void Presence::advance(const Clock& clock, State& state) {
+void Presence::advance(const Clock& clock, const World&, State& state) {
   if (clock.sub != 0 || clock.frame <= done_) return;
   done_ = clock.frame;
   for (Index row = state.size() - 1; row >= 0; --row) {

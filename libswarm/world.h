@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libswarm/state.h"
+#include "libtrack/rng.h"
 
 namespace swarmfit {
 
@@ -33,15 +34,19 @@ struct Clock {
   int sub;
   double t;   // [s]
   double dt;  // of the step to come [s]
+  Rng rng{};  // the lane's: parts that draw (arrivals, wandering stimuli) differ between replicates
 };
+
+class World;
 
 // A part of the world beyond its bounds: stimuli, obstacles, goals, grids, entrances and exits. A model that needs a kind of part asks
 // for it by type (World::part), so new kinds of part never change World or the models that ignore them.
 struct WorldPart {
   virtual ~WorldPart() = default;
   virtual std::unique_ptr<WorldPart> clone() const = 0;
-  // Called before every step: may move the part itself, and let agents appear or leave.
-  virtual void advance(const Clock&, State&) {}
+  // Called before every step, in the order in which parts were added: may move the part itself, and let agents appear or leave. It may
+  // read the other parts, so that a cost field can follow its goals.
+  virtual void advance(const Clock&, const World&, State&) {}
 };
 
 class World {
@@ -66,7 +71,7 @@ class World {
   }
 
   void advance(const Clock& clock, State& state) {
-    for (const auto& p : parts_) p->advance(clock, state);
+    for (const auto& p : parts_) p->advance(clock, *this, state);
   }
 
  private:
@@ -84,7 +89,7 @@ class Presence : public WorldPart {
   };
   explicit Presence(std::vector<Visit> visits);
   std::unique_ptr<WorldPart> clone() const override { return std::make_unique<Presence>(*this); }
-  void advance(const Clock&, State&) override;
+  void advance(const Clock&, const World&, State&) override;
 
  private:
   std::shared_ptr<const std::vector<Visit>> visits_;  // by entry, then id; shared by all copies

@@ -119,6 +119,7 @@ struct Snapshot {
   std::span<const std::uint8_t> kind;
   const Rows& pos;
   const Rows& vel;
+  const Eigen::ArrayXXd* own = nullptr;  // the model's private columns (State::own), for whoever counts what they say
 };
 
 // The stream form of Tracks, for motion that nobody needs stored.

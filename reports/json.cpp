@@ -187,6 +187,7 @@ std::string to_json(const Comparison& c) {
                  {"final_replicates", c.final_replicates}}},
                {"presence", c.observation.presence},
                {"arena", c.observation.arena},
+               {"unseen_individuals", c.observation.unseen},
                {"data", data(c.data)},
                {"observation", observation(c.observation)},
                {"binning", binning(c)},

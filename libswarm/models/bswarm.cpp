@@ -94,7 +94,7 @@ const std::vector<Option>& option_table() {
   return table;
 }
 
-const std::vector<Parameter>& parameter_table() {
+const std::vector<Parameter>& parameter_table() {  // NOLINT(readability-function-size): a table
   using enum Parameter::Length;
   constexpr std::string_view field = "noise=curl|perlin", on = "interaction=on", orca = "avoidance=orca";
   static const std::vector<Parameter> table{

@@ -37,7 +37,8 @@ Paired on_fresh_seeds(const Tracks& recording, const CompareOptions& options, co
   const auto outcomes = objective.evaluate({parameter_values(model, fit), scene_parameters(model, test::midge_parameters())}, seeds);
   Moments fitted, truth, difference;
   for (std::size_t r = 0; r < seeds.size(); ++r) {
-    const double a = total(outcomes[0].replicates[r], result.observation.used), b = total(outcomes[1].replicates[r], result.observation.used);
+    const double a = total(outcomes[0].replicates[r], result.observation.used),
+                 b = total(outcomes[1].replicates[r], result.observation.used);
     fitted.add(a), truth.add(b), difference.add(a - b);
   }
   return {fitted.mean, truth.mean, difference.sd() / std::sqrt(kFreshSeeds - 1.0)};
@@ -63,10 +64,12 @@ int run(int seeds, const std::string& budget, double sigma) {
     first += winner.model == "bswarm";
     as_good += z <= 2;
     fmt::print("{:4}  {:7} {:12.3f} {:12.3f} {:18.3f} {:6.3f} | {:20.3f} {:5.3f} {:19.1f}\n", seed, winner.model, bswarm.score, boids.score,
-               total(bswarm.raw_energies, result.observation.used), total(boids.raw_energies, result.observation.used), p.fitted, p.truth, z);
+               total(bswarm.raw_energies, result.observation.used), total(boids.raw_energies, result.observation.used), p.fitted, p.truth,
+               z);
     std::fflush(stdout);
   }
-  fmt::print("bswarm first in {} of {}; fitted not worse than true by more than two standard errors in {} of {}\n", first, seeds, as_good, seeds);
+  fmt::print("bswarm first in {} of {}; fitted not worse than true by more than two standard errors in {} of {}\n", first, seeds, as_good,
+             seeds);
   return first == seeds && as_good == seeds ? 0 : 1;
 }
 

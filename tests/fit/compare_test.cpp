@@ -19,7 +19,7 @@ CompareOptions tiny(std::vector<std::string> names, std::uint64_t seed = 1) {
   CompareOptions o;
   for (const auto& name : names) o.models.push_back(parse_model(name));
   o.binning = Binning::standard(Normalisation::reference);
-  o.budget = {"tiny", 8, 4, 2, 2, 10, 3, 3};
+  o.budget = {"tiny", 8, 6, 2, 2, 3, 3};
   o.seed = seed;
   return o;
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "fit/observe.h"
 #include "libswarm/world.h"
 #include "libtrack/error.h"
 #include "tests/fit/planted.h"
@@ -83,6 +84,24 @@ TEST(Conditions, ConstantPresenceKeepsTheFirstFrame) {
   State state;
   for (std::int64_t f = 0; f < 6; ++f) world.advance({f, 0, 0.1 * static_cast<double>(f), 0.1}, state);
   EXPECT_EQ(state.size(), 2);
+}
+
+TEST(Conditions, PopulationAddsIndividualsThatAreNeverSeen) {
+  ConditionOptions options;
+  options.population = 16;
+  const Conditions c = make_conditions(pair(), options);
+  EXPECT_EQ(c.unseen, 14);  // 11 observations in 6 frames: 1.8 seen
+  EXPECT_NEAR(c.scales.spacing, 2 * std::cbrt(11.0 / 6 / 16), 1e-12);
+  World world = c.world;
+  State state;
+  world.advance({0, 0, 0, 0.1}, state);
+  EXPECT_EQ(state.size(), 16);
+  TrackCollector collector;
+  Observer camera(&c.recording, Eigen::Array3d::Zero(), {1}, collector, 2);
+  camera.frame({0, state.id, state.kind, state.pos, state.vel});
+  EXPECT_EQ(collector.take(ten_hertz()).rows(), 2);
+  options.population = 1;
+  EXPECT_THROW(make_conditions(pair(), options), InputError);
 }
 
 TEST(Conditions, NoMotionAndNoGroupAreRefused) {

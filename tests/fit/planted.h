@@ -21,9 +21,9 @@ inline PlantOptions small_swarm(std::uint64_t seed) {
 }
 
 inline std::map<std::string, double> midge_parameters() {
-  return {{"gamma", 0.01},  {"noise", 1600}, {"scale", 60},   {"chi_rep", 400},    {"r_rep", 60},
-          {"chi_att", 900}, {"r_att", 400},  {"chi_ali", 0},  {"r_ali", 0},        {"radius", 4},
-          {"max_speed", 5000}, {"neighbour_distance", 80}, {"time_horizon", 0.2}};
+  return {{"gamma", 0.01},      {"noise", 1600}, {"scale", 60}, {"chi_rep", 400}, {"r_rep", 60},       {"chi_att", 900},
+          {"r_att", 400},       {"chi_ali", 0},  {"r_ali", 0},  {"radius", 4},    {"max_speed", 5000}, {"neighbour_distance", 80},
+          {"time_horizon", 0.2}};
 }
 
 inline Tracks planted_swarm(std::uint64_t seed, double sigma = 0, double dropout = 0) {

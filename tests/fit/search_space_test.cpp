@@ -20,12 +20,12 @@ TEST(SearchSpace, BoundsAreStatedInTheRecordingsScales) {
   const auto at_zero = space.parameters(Point::Zero(space.dimensions()));
   const auto at_one = space.parameters(Point::Ones(space.dimensions()));
   const auto& gamma = model.spec->parameters[row(model, "gamma")];
-  EXPECT_NEAR(at_zero[row(model, "gamma")], gamma.fit.lower / 100, 1e-15);   // 1/L
+  EXPECT_NEAR(at_zero[row(model, "gamma")], gamma.fit.lower / 100, 1e-15);  // 1/L
   EXPECT_NEAR(at_one[row(model, "gamma")], gamma.fit.upper / 100, 1e-12);
   const auto& chi = model.spec->parameters[row(model, "chi_att")];
-  EXPECT_NEAR(at_one[row(model, "chi_att")], chi.fit.upper * 400, 1e-9);     // A = L/T²
+  EXPECT_NEAR(at_one[row(model, "chi_att")], chi.fit.upper * 400, 1e-9);  // A = L/T²
   const auto& radius = model.spec->parameters[row(model, "r_rep")];
-  EXPECT_NEAR(at_one[row(model, "r_rep")], radius.fit.upper * 50, 1e-9);     // NND
+  EXPECT_NEAR(at_one[row(model, "r_rep")], radius.fit.upper * 50, 1e-9);  // NND
 }
 
 TEST(SearchSpace, PointIsTheInverseOfParameters) {

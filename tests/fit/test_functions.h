@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -50,6 +51,26 @@ inline TestFunction rastrigin(int dimensions, std::uint64_t seed) {
   });
 }
 
+// Independent standard normal numbers.
+inline Eigen::MatrixXd normal_matrix(int rows, int columns, std::uint64_t seed) {
+  Eigen::MatrixXd m(rows, columns);
+  for (int i = 0; i < rows; ++i) {
+    for (int k = 0; k < columns; ++k)
+      m(i, k) = Rng{seed}.normal2(Stream::start, static_cast<std::uint64_t>(i) + 1, static_cast<std::uint32_t>(k))[0];
+  }
+  return m;
+}
+
+// The same, turned at random: no coordinate can be searched by itself.
+inline TestFunction rotated_rastrigin(int dimensions, std::uint64_t seed) {
+  const Point optimum = random_optimum(dimensions, seed);
+  const Eigen::MatrixXd rotation = normal_matrix(dimensions, dimensions, seed).householderQr().householderQ();
+  return noiseless("rotated Rastrigin", optimum, [optimum, rotation](const Point& x) {
+    const Eigen::ArrayXd z = (rotation * (10.24 * (x - optimum))).array();
+    return (z.square() + 10.0 * (1.0 - (2.0 * std::numbers::pi * z).cos())).sum();
+  });
+}
+
 // Rosenbrock's valley, box side 10.
 inline TestFunction rosenbrock(int dimensions, std::uint64_t seed) {
   const Point optimum = random_optimum(dimensions, seed);
@@ -64,6 +85,26 @@ inline TestFunction rosenbrock(int dimensions, std::uint64_t seed) {
 inline TestFunction sphere(int dimensions, std::uint64_t seed) {
   const Point optimum = random_optimum(dimensions, seed);
   return noiseless("sphere", optimum, [optimum](const Point& x) { return 100.0 * (x - optimum).squaredNorm(); });
+}
+
+// What a fit looks like: the mean total variation distance of seven histograms, normal distributions whose means and widths depend on
+// the parameters, from those at the optimum. A sharp valley without a parabola at its bottom.
+inline TestFunction histograms(int dimensions, std::uint64_t seed) {
+  constexpr int metrics = 7, bins = 60;
+  const Point optimum = random_optimum(dimensions, seed);
+  const Eigen::MatrixXd effect = 1.5 * normal_matrix(2 * metrics, dimensions, seed + 1000);
+  const auto densities = [effect](const Point& x) {
+    const Eigen::ArrayXd drive = (effect * (x.array() - 0.5).matrix()).array().tanh();
+    const Eigen::ArrayXd position = Eigen::ArrayXd::LinSpaced(bins, -5, 5);
+    Eigen::ArrayXXd density(bins, metrics);
+    for (int j = 0; j < metrics; ++j) {
+      density.col(j) = (-0.5 * ((position - 2 * drive[j]) / std::exp(drive[metrics + j])).square()).exp();
+      density.col(j) /= density.col(j).sum();
+    }
+    return density;
+  };
+  const Eigen::ArrayXXd recorded = densities(optimum);
+  return noiseless("histograms", optimum, [=](const Point& x) { return (densities(x) - recorded).abs().sum() / (2 * metrics); });
 }
 
 // Frozen noise: a normal number that is a hash of the point's bits, independent from point to point.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "sample.h"
+#include "tests/reports/sample.h"
 
 namespace swarmfit {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sample.h"
+#include "tests/reports/sample.h"
 
 #include <cmath>
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "sample.h"
+#include "tests/reports/sample.h"
 
 namespace swarmfit {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sample.h"
+#include "tests/reports/sample.h"
 
 namespace swarmfit {
 namespace {

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "reports/html.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "reports/html_table.h"
+#include "sample.h"
+
+namespace swarmfit {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+std::size_t occurrences(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+std::string between(const std::string& text, const std::string& open, const std::string& close) {
+  const std::size_t first = text.find(open);
+  if (first == std::string::npos) return {};
+  const std::size_t start = first + open.size();
+  return text.substr(start, text.find(close, start) - start);
+}
+
+// The page without the built-in scripts and style, which are ours.
+std::string markup_of(const std::string& page) {
+  std::string out = page.substr(0, page.find("<style>"));
+  const std::size_t after_style = page.find("</style>");
+  return out + page.substr(after_style, page.find("<script type=\"application/json\"") - after_style);
+}
+
+json data_of(const std::string& page) { return json::parse(between(page, "<script type=\"application/json\" id=\"data\">", "</script>")); }
+
+constexpr const char* kHostile = "</title></script><img src=x onerror=\"alert('1')\">{{data}}&amp;";
+
+TEST(Html, EscapesEveryMarkupCharacter) { EXPECT_EQ(html_escaped("<a b=\"c\" d='e'>&"), "&lt;a b=&quot;c&quot; d=&#39;e&#39;&gt;&amp;"); }
+
+TEST(Report, HasEverySectionAndNoPlaceholderLeft) {
+  const std::string page = markup_of(report_html(sample_comparison()));
+  for (const char* id : {"ranking", "distributions", "energies", "parameters", "search", "observation", "methods", "repeat"})
+    EXPECT_THAT(page, HasSubstr("<section id=\"" + std::string(id) + '"'));
+  EXPECT_THAT(page, Not(HasSubstr("{{")));
+  EXPECT_THAT(page, HasSubstr("<h1>bswarm moves most like the recording.</h1>"));
+  EXPECT_THAT(page, HasSubstr("0.912 ± 0.011"));
+  EXPECT_THAT(page, HasSubstr("on a bound: chi_att"));
+  EXPECT_THAT(page, HasSubstr("17 of 7367 simulations blew up"));
+  EXPECT_THAT(page, HasSubstr("10.1371/journal.pone.0155698"));
+  EXPECT_EQ(occurrences(page, "<canvas id=\"pdf-"), kMetrics);
+}
+
+TEST(Report, LoadsNothing) {
+  const std::string page = report_html(sample_comparison());
+  const std::string markup = markup_of(page);
+  for (const char* attribute : {" src=", " srcset=", "<link", "<iframe", "<object", "<embed", "@import", "url(", " action="})
+    EXPECT_THAT(markup, Not(HasSubstr(attribute))) << attribute;
+  EXPECT_THAT(between(page, "<style>", "</style>"), Not(testing::ContainsRegex("url\\(|@import")));
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(page, Not(HasSubstr("unsafe-inline")));
+}
+
+// A style attribute would be refused by the content policy.
+TEST(Report, HasNoInlineStyleOrHandler) {
+  const std::string markup = markup_of(report_html(sample_comparison()));
+  EXPECT_THAT(markup, Not(testing::ContainsRegex(" style=| on[a-z]+=\"")));
+}
+
+// Independent value: `printf %s 'abc' | openssl dgst -sha256 -binary | base64` agrees with the browser; here the shape, the browser the
+// rest.
+TEST(Report, PolicyAllowsTheTwoScriptsAndTheStyleByHash) {
+  const std::string policy = between(report_html(sample_comparison()), "Content-Security-Policy\" content=\"", "\">");
+  const std::regex hash("'sha256-[A-Za-z0-9+/]{43}='");
+  EXPECT_EQ(std::distance(std::sregex_iterator(policy.begin(), policy.end(), hash), std::sregex_iterator()), 3);
+}
+
+TEST(Report, ScriptsEndWhereTheyShould) {
+  const std::string page = report_html(sample_comparison());
+  EXPECT_EQ(occurrences(page, "<script"), 3u);
+  EXPECT_EQ(occurrences(page, "</script>"), 3u);
+}
+
+TEST(Report, HostileTextIsShownAndNeverRuns) {
+  Comparison c = sample_comparison({{kHostile, 0.9, NAN, 1.1}, {"boids", NAN, NAN, 1.3}});
+  c.data.path = c.data.unit = c.data.sha256 = c.data.columns = c.version = c.budget = kHostile;
+  c.warnings = {kHostile};
+  c.observation.why_not.fill(kHostile);
+  c.models[0].citation = c.models[0].summary = c.models[0].stop_reason = kHostile;
+  for (ParameterResult& p : c.models[0].parameters) p.name = p.symbol = p.unit = p.meaning = kHostile;
+  c.config = {{"DATA", kHostile}};
+  const std::string page = report_html(c);
+  EXPECT_EQ(occurrences(page, "<script"), 3u);
+  EXPECT_EQ(occurrences(page, "</script>"), 3u);
+  EXPECT_EQ(occurrences(page, "</title>"), 1u);
+  EXPECT_THAT(markup_of(page), Not(HasSubstr("<img")));
+  EXPECT_THAT(markup_of(page), HasSubstr("&lt;img src=x onerror=&quot;alert(&#39;1&#39;)&quot;&gt;{{data}}&amp;amp;"));
+  EXPECT_EQ(data_of(page)["models"][0]["name"], kHostile);
+}
+
+TEST(Report, UndefinedNumbersAreDashesAndNulls) {
+  Comparison c = sample_comparison();
+  FitResult& r = c.models[1];
+  r.score = r.score_se = r.infeasible_avoidance = NAN;
+  r.rank = 0;
+  r.raw_energies.fill(NAN);
+  r.raw_se.fill(INFINITY);
+  r.convergence[0].best = -INFINITY;
+  r.distributions = {};
+  const std::string page = report_html(c);
+  const json data = data_of(page);
+  EXPECT_TRUE(data["models"][1]["energies"][0].is_null());
+  EXPECT_TRUE(data["models"][1]["convergence"][0][2].is_null());
+  EXPECT_TRUE(data["metrics"][0]["models"][1].empty());
+  EXPECT_THAT(markup_of(page), Not(testing::ContainsRegex("[^a-z](nan|inf)[^a-z]")));
+}
+
+TEST(Report, EmptyComparisonStillMakesAPage) { EXPECT_THAT(report_html(Comparison{}), HasSubstr("No model could be scored.")); }
+
+TEST(Report, SyntheticDataAreLabelled) {
+  Comparison c = sample_comparison();
+  EXPECT_THAT(markup_of(report_html(c)), Not(HasSubstr("synthetic")));
+  c.data.synthetic = true;
+  EXPECT_THAT(markup_of(report_html(c)), HasSubstr("class=\"badge\">synthetic data<"));
+}
+
+TEST(Report, WarningsBoxOnlyWithWarnings) {
+  Comparison c = sample_comparison();
+  EXPECT_THAT(markup_of(report_html(c)), HasSubstr("<aside class=\"warnings\""));
+  c.warnings.clear();
+  EXPECT_THAT(markup_of(report_html(c)), Not(HasSubstr("<aside")));
+}
+
+TEST(Report, EqualValuesGiveEqualBytes) { EXPECT_EQ(report_html(sample_comparison()), report_html(sample_comparison())); }
+
+TEST(Report, StaysSmall) { EXPECT_LT(report_html(sample_comparison()).size(), 1u << 20); }
+
+}  // namespace
+}  // namespace swarmfit

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "reports/run_directory.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "libtrack/error.h"
+#include "libtrack/file.h"
+#include "reports/html.h"
+#include "reports/json.h"
+#include "sample.h"
+
+namespace swarmfit {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+
+class RunDirectory : public testing::Test {
+ protected:
+  void SetUp() override {
+    root_ = fs::path(testing::TempDir()) / ("run_directory_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+  }
+  void TearDown() override { fs::remove_all(root_); }
+  std::string dir(const std::string& name = "run") const { return (root_ / name).string(); }
+
+  static std::set<std::string> files(const std::string& dir) {
+    std::set<std::string> out;
+    for (const auto& entry : fs::recursive_directory_iterator(dir))
+      if (entry.is_regular_file()) out.insert(fs::relative(entry.path(), dir).string());
+    return out;
+  }
+
+  fs::path root_;
+};
+
+TEST_F(RunDirectory, HoldsEverythingAndNoLeftovers) {
+  const Comparison c = sample_comparison();
+  write_run(dir("new/run"), c);
+  EXPECT_THAT(files(dir("new/run")), ElementsAre("config.toml", "history.csv", "report.html", "results.json", "tables/convergence.csv",
+                                                 "tables/energies.csv", "tables/normalisation.csv", "tables/parameters.csv",
+                                                 "tables/pdfs.csv", "tables/ranking.csv", "tables/raw_energies.csv", "tables/weights.csv"));
+  EXPECT_EQ(read_file(dir("new/run") + "/results.json"), to_json(c));
+  EXPECT_EQ(read_file(dir("new/run") + "/report.html"), report_html(c));
+}
+
+TEST_F(RunDirectory, SameResultSameBytes) {
+  write_run(dir("a"), sample_comparison());
+  write_run(dir("b"), sample_comparison());
+  for (const std::string& name : files(dir("a"))) EXPECT_EQ(read_file(dir("a") + '/' + name), read_file(dir("b") + '/' + name)) << name;
+}
+
+TEST_F(RunDirectory, ReplacesAnEarlierRun) {
+  write_run(dir(), sample_comparison());
+  Comparison other = sample_comparison();
+  other.seed = 7;
+  write_run(dir(), other);
+  EXPECT_EQ(read_file(dir() + "/results.json"), to_json(other));
+}
+
+TEST_F(RunDirectory, RefusesAFolderOfSomethingElse) {
+  fs::create_directories(dir());
+  std::ofstream(dir() + "/thesis.tex") << "ten years of work";
+  EXPECT_THROW(check_run_directory(dir()), InputError);
+  EXPECT_THROW(write_run(dir(), sample_comparison()), InputError);
+  std::ofstream(dir() + "/config.toml") << "# A config of another program\n";
+  EXPECT_THROW(check_run_directory(dir()), InputError);
+  EXPECT_THAT(files(dir()), ElementsAre("config.toml", "thesis.tex"));
+}
+
+TEST_F(RunDirectory, RefusesAFile) {
+  std::ofstream(dir()) << "x";
+  EXPECT_THROW(check_run_directory(dir()), InputError);
+}
+
+TEST_F(RunDirectory, AcceptsNewAndEmptyFolders) {
+  EXPECT_NO_THROW(check_run_directory(dir("nowhere/yet")));
+  fs::create_directories(dir());
+  EXPECT_NO_THROW(check_run_directory(dir()));
+}
+
+TEST(ConfigToml, HoldsEverySettingAsItWasGiven) {
+  Comparison c;
+  c.command = "compare";
+  c.config = {{"DATA", "\"a \\\"b\\\".txt\""}, {"model", "[\"bswarm\", \"boids\"]"}, {"seed", "1"}};
+  EXPECT_EQ(config_toml(c),
+            "# A run of swarmfit: `swarmfit compare --config config.toml --out NEW_FOLDER` repeats it.\n"
+            "DATA = \"a \\\"b\\\".txt\"\nmodel = [\"bswarm\", \"boids\"]\nseed = 1\n");
+}
+
+}  // namespace
+}  // namespace swarmfit
