@@ -10,9 +10,9 @@
 namespace swarmfit {
 namespace {
 
-constexpr int kLeaders = 5;             // candidates judged again on fresh seeds
-constexpr double kLeadersApart = 0.02;  // in the unit cube: closer candidates are the same answer
-constexpr int kLaterPassShare = 4;      // later passes start from the rescored archive, so they search and stall this many times sooner
+constexpr int kLeaders = 24;           // candidates judged again on fresh seeds
+constexpr double kLeadersApart = 0.1;  // in the unit cube: far enough that they do not share their luck
+constexpr int kLaterPassShare = 4;     // later passes start from the rescored archive, so they search and stall this many times sooner
 
 bool near_any(const Point& x, const std::vector<Evaluated>& chosen, double apart) {
   return std::any_of(chosen.begin(), chosen.end(), [&](const Evaluated& e) { return (e.x - x).cwiseAbs().maxCoeff() < apart; });
@@ -38,6 +38,7 @@ ModelSearch::ModelSearch(std::size_t index, const ModelChoice& model, const Cond
       history_(history),
       rng_(Rng{options.seed}.derive(Stream::search, index)),
       seeds_(replicate_seeds({options.seed}, Stream::replicate, options.budget.replicates)),
+      selection_seeds_(replicate_seeds({options.seed}, Stream::selection, options.budget.selection_replicates)),
       final_seeds_(replicate_seeds({options.seed}, Stream::final_seeds, options.budget.final_replicates)) {}
 
 void ModelSearch::pass(int number, const Weighting& weighting, const OnGeneration& on_generation) {
@@ -47,7 +48,9 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnGeneratio
     keep(Point(), objective_.evaluate(space_.parameters(Point()), seeds_), number);
     stop_reason_ = "nothing to search";
   }
-  select(number, weighting);
+  judge(number, weighting);
+  if (space_.dimensions() > 0) polish(number, weighting);
+  conclude(number, weighting);
 }
 
 std::int64_t ModelSearch::left() const {
@@ -55,9 +58,10 @@ std::int64_t ModelSearch::left() const {
                                       : std::numeric_limits<std::int64_t>::max();
 }
 
-std::vector<Evaluated> ModelSearch::rescored(const Weighting& weighting, std::size_t most, double apart) const {
+std::vector<Evaluated> ModelSearch::rescored(const std::vector<Archived>& archive, const Weighting& weighting, std::size_t most,
+                                             double apart) {
   std::vector<Evaluated> all;
-  for (const auto& a : archive_) all.push_back({a.x, cost_of(a.raw, weighting)});
+  for (const auto& a : archive) all.push_back({a.x, cost_of(a.raw, weighting)});
   std::stable_sort(all.begin(), all.end(), [](const Evaluated& a, const Evaluated& b) { return a.cost < b.cost; });
   std::vector<Evaluated> chosen;
   for (const auto& candidate : all) {
@@ -79,6 +83,7 @@ void ModelSearch::record(const Point& x, const Outcome& outcome, int pass, const
 void ModelSearch::keep(const Point& x, const Outcome& outcome, int pass) {
   record(x, outcome, pass, "search");
   archive_.push_back({x, outcome.raw});
+  ++evaluations_;
 }
 
 // Refinements run side by side and finish in any order; what was seen is kept in the order in which the search lists it.
@@ -107,7 +112,7 @@ void ModelSearch::search(int number, const Weighting& weighting, const OnGenerat
     }
     return costs;
   };
-  const auto start = rescored(weighting, static_cast<std::size_t>(plan.genetic.population), 0.0);
+  const auto start = rescored(archive_, weighting, static_cast<std::size_t>(plan.genetic.population), 0.0);
   const Found found =
       swarmfit::search(space_.dimensions(), cost, plan, rng_.derive(Stream::search, static_cast<std::uint64_t>(number)), start,
                        [&](const GenerationReport& report) {
@@ -118,21 +123,59 @@ void ModelSearch::search(int number, const Weighting& weighting, const OnGenerat
   for (const auto& e : found.visited) keep(e.x, seen.at(e.x), number);
   stop_reason_ = to_string(found.stop);
   recommended_ = found.recommended.x;
-  convergence_.push_back({number, evaluations(), -rescored(weighting, 1, 0.0).front().cost});
+  convergence_.push_back({number, evaluations(), -rescored(archive_, weighting, 1, 0.0).front().cost});
 }
 
-void ModelSearch::select(int number, const Weighting& weighting) {
-  auto leaders = rescored(weighting, kLeaders, kLeadersApart);
-  if (recommended_.size() > 0 && !same(leaders.front().x, recommended_)) leaders.push_back({recommended_, 0});
+// The best of a search are partly lucky with its few seeds: the leaders are simulated again on more, and fresh, ones.
+void ModelSearch::judge(int number, const Weighting& weighting) {
+  auto leaders = rescored(archive_, weighting, kLeaders, kLeadersApart);
+  if (recommended_.size() > 0) leaders.push_back({recommended_, 0});
+  std::erase_if(leaders, [this](const Evaluated& e) {
+    return std::any_of(judged_.begin(), judged_.end(), [&](const Archived& a) { return a.x.size() == 0 || same(a.x, e.x); });
+  });
   std::vector<std::vector<double>> candidates;
   for (const auto& leader : leaders) candidates.push_back(space_.parameters(leader.x));
-  const auto outcomes = objective_.evaluate(candidates, final_seeds_);
-  std::size_t best = 0;
+  const auto outcomes = objective_.evaluate(candidates, selection_seeds_);
   for (std::size_t k = 0; k < leaders.size(); ++k) {
-    record(leaders[k].x, outcomes[k], number, "final");
-    if (cost_of(outcomes[k].raw, weighting) < cost_of(outcomes[best].raw, weighting)) best = k;
+    record(leaders[k].x, outcomes[k], number, "select");
+    judged_.push_back({leaders[k].x, outcomes[k].raw});
   }
-  selected_ = {leaders[best].x, outcomes[best]};
+}
+
+// Nelder-Mead from the best few of the judged, on the same seeds. Starts run side by side and finish in any order; what they saw is kept in
+// an order of its own.
+void ModelSearch::polish(int number, const Weighting& weighting) {
+  RefineOptions plan;
+  plan.starts = options_.budget.refinements;
+  plan.evaluations = options_.budget.refine_evaluations / (number == 1 ? 1 : 2);
+  plan.evaluations = static_cast<int>(std::min<std::int64_t>(plan.evaluations, left() / plan.starts));
+  if (plan.evaluations == 0) return;
+  std::mutex lock;
+  std::map<Point, Outcome, Lexicographic> seen;
+  refine(
+      rescored(judged_, weighting, static_cast<std::size_t>(plan.starts), kLeadersApart),
+      [&](const Point& x) {
+        Outcome outcome = objective_.evaluate(space_.parameters(x), selection_seeds_);
+        const double cost = cost_of(outcome.raw, weighting);
+        outcome.distributions = {};
+        const std::lock_guard guard(lock);
+        seen.insert_or_assign(x, std::move(outcome));
+        return cost;
+      },
+      plan);
+  for (const auto& [x, outcome] : seen) {
+    record(x, outcome, number, "refine");
+    judged_.push_back({x, outcome.raw});
+    ++evaluations_;
+  }
+}
+
+// The winner has been chosen by its energies on the selection's seeds, so what is reported comes from seeds that had no part in that.
+void ModelSearch::conclude(int number, const Weighting& weighting) {
+  const Point best = rescored(judged_, weighting, 1, 0.0).front().x;
+  if (!selected_.outcome.replicates.empty() && (best.size() == 0 || same(best, selected_.x))) return;
+  selected_ = {best, objective_.evaluate(space_.parameters(best), final_seeds_)};
+  record(best, selected_.outcome, number, "final");
 }
 
 }  // namespace swarmfit

@@ -19,13 +19,13 @@ class ModelSearch {
   ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target,
               const CompareOptions& options, std::vector<HistoryRow>& history);
 
-  // One calibration pass: rescores the archive, searches, and selects among the leaders on fresh seeds.
+  // One calibration pass: rescores the archive, searches, judges the leaders on fresh seeds, and refines the best of them.
   void pass(int number, const Weighting& weighting, const OnGeneration& on_generation);
 
   const Selected& selected() const { return selected_; }
   const SearchSpace& space() const { return space_; }
   const Objective& objective() const { return objective_; }
-  std::int64_t evaluations() const { return static_cast<std::int64_t>(archive_.size()); }
+  std::int64_t evaluations() const { return evaluations_; }  // of the search and the refinement
   std::int64_t simulations() const { return simulations_; }
   std::int64_t failed() const { return failed_; }
   const std::string& stop_reason() const { return stop_reason_; }
@@ -37,11 +37,14 @@ class ModelSearch {
     Point x;
     Energies raw;
   };
-  std::vector<Evaluated> rescored(const Weighting& weighting, std::size_t most, double apart) const;
+  // The best of an archive under these weights, no two nearer than `apart` in the unit cube.
+  static std::vector<Evaluated> rescored(const std::vector<Archived>& archive, const Weighting& weighting, std::size_t most, double apart);
   void record(const Point& x, const Outcome& outcome, int pass, const char* phase);  // in the history
   void keep(const Point& x, const Outcome& outcome, int pass);                       // and in the archive
   void search(int number, const Weighting& weighting, const OnGeneration& on_generation);
-  void select(int number, const Weighting& weighting);
+  void judge(int number, const Weighting& weighting);
+  void polish(int number, const Weighting& weighting);
+  void conclude(int number, const Weighting& weighting);
   std::int64_t left() const;  // evaluations that max_evaluations still allows
 
   std::size_t index_;
@@ -50,11 +53,12 @@ class ModelSearch {
   Objective objective_;
   std::vector<HistoryRow>& history_;
   Rng rng_;
-  std::vector<Rng> seeds_, final_seeds_;
-  std::vector<Archived> archive_;
-  Point recommended_;  // by the last search's response surface; empty before
+  std::vector<Rng> seeds_, selection_seeds_, final_seeds_;
+  std::vector<Archived> archive_;  // on the search's seeds
+  std::vector<Archived> judged_;   // on the selection's seeds
+  Point recommended_;              // by the last search's response surface; empty before
   Selected selected_;
-  std::int64_t simulations_ = 0, failed_ = 0;
+  std::int64_t evaluations_ = 0, simulations_ = 0, failed_ = 0;
   std::string stop_reason_;
   std::vector<ConvergencePoint> convergence_;
 };

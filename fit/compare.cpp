@@ -15,10 +15,10 @@ namespace swarmfit {
 namespace {
 
 const std::array<Budget, 3> kBudgets{{
-    // name     population generations replicates refinements final passes
-    {"quick", 24, 20, 2, 2, 6, 3},
-    {"default", 40, 60, 3, 2, 10, 6},
-    {"thorough", 80, 120, 5, 4, 20, 10},
+    // name     population generations replicates selection refinements each final passes
+    {"quick", 24, 20, 2, 6, 1, 24, 8, 3},
+    {"default", 40, 60, 3, 12, 2, 40, 12, 6},
+    {"thorough", 80, 120, 5, 24, 4, 80, 24, 10},
 }};
 
 Eigen::MatrixXd energy_table(const std::vector<ModelSearch>& searches) {

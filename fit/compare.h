@@ -16,10 +16,12 @@ namespace swarmfit {
 // How much searching is done per model and calibration pass.
 struct Budget {
   std::string name;
-  int population, generations;  // their product is the number of candidates of the first pass, refinement included
+  int population, generations;  // their product is the number of candidates of a model's first pass
   int replicates;               // simulations per candidate
-  int refinements;              // candidates refined by Nelder-Mead within that number
-  int final_replicates;         // fresh seeds of the final selection
+  int selection_replicates;     // of the leaders, on fresh seeds
+  int refinements;              // leaders refined by Nelder-Mead on those seeds
+  int refine_evaluations;       // each
+  int final_replicates;         // of the winner, on seeds that had no part in choosing it
   int passes;                   // of the calibration loop, at most
 };
 // "quick", "default" or "thorough"; throws InputError naming them.

@@ -86,7 +86,7 @@ struct FitResult {
 struct HistoryRow {
   std::size_t model;  // index into the order in which models were named
   int pass;
-  std::string phase;      // "search", or "final": on fresh seeds
+  std::string phase;      // "search"; "select" and "refine": on the selection's seeds; "final": on seeds of its own
   std::vector<double> x;  // searched parameters, physical units, in table order
   Energies raw{};
   int failed = 0;  // replicates that blew up

@@ -21,9 +21,10 @@ enum class Stream : std::uint32_t {
   start = 6,         // initial positions and headings
   replicate = 7,     // seeds of replicates
   search = 8,        // genetic algorithm
-  final_seeds = 9,   // fresh seeds of the final selection
+  final_seeds = 9,   // fresh seeds of the reported energies
   response = 10,     // turning angle towards or away from a stimulus
   probe = 11,        // random candidates of diagnostics
+  selection = 12,    // fresh seeds on which leaders are judged and refined
 };
 
 namespace philox {

@@ -19,7 +19,7 @@ CompareOptions tiny(std::vector<std::string> names, std::uint64_t seed = 1) {
   CompareOptions o;
   for (const auto& name : names) o.models.push_back(parse_model(name));
   o.binning = Binning::standard(Normalisation::reference);
-  o.budget = {"tiny", 8, 6, 2, 2, 3, 3};
+  o.budget = {"tiny", 8, 6, 2, 3, 2, 5, 3, 3};
   o.seed = seed;
   return o;
 }
@@ -112,8 +112,10 @@ TEST(Compare, HistoryHoldsEveryEvaluationOnce) {
     std::int64_t searched = 0, simulations = 0;
     for (const auto& row : result.history) {
       if (row.model != m) continue;
-      searched += row.phase != "final";
-      simulations += row.phase == "final" ? options.budget.final_replicates : options.budget.replicates;
+      searched += row.phase == "search" || row.phase == "refine";
+      simulations += row.phase == "search"  ? options.budget.replicates
+                     : row.phase == "final" ? options.budget.final_replicates
+                                            : options.budget.selection_replicates;
     }
     for (const auto& fit : result.models) {
       if (fit.model != result.named[m]) continue;
