@@ -122,6 +122,7 @@ Html observation(const Comparison& c) {
   const ObservationFacts& o = c.observation;
   Html facts = fact("presence of individuals", o.presence == "recorded" ? "as recorded, gaps included" : o.presence);
   facts += fact("arena", o.arena);
+  if (o.unseen > 0) facts += fact("simulated beside the tracked ones", counted(o.unseen, "individual"));
   facts += fact("localisation error", error_text(c));
   facts += fact("smoothing", smoothing_text(c));
   facts += fact("velocities", o.velocity == "recorded" ? "the recording's own" : "differences of positions");
