@@ -189,7 +189,7 @@ Found few_individuals(const Summary& s) {
   return Suspicion{
       "few individuals",
       fmt::format("{:g} individuals in the median frame: if only part of the group was tracked, nearest-neighbour distances are too long "
-                  "(--population tells how many there were).",
+                  "(tell how many there were with --population).",
                   s.individuals.median),
       ""};
 }

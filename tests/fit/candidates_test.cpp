@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The fit bounds are stated in a recording's own scales so that a search does not waste itself on absurd speeds: at least a quarter of
+// random candidates of every model must move within a factor two of the recorded mean speed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "fit/conditions.h"
+#include "fit/objective.h"
+#include "fit/plant.h"
+#include "fit/search_space.h"
+#include "libtrack/read.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr int kCandidates = 100;
+
+const std::vector<const char*> kChoices{
+    "bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian]", "bswarm[noise=white]", "bswarm[noise=none]", "bswarm[interaction=off]",
+    "boids"};
+
+Point random_point(int dimensions, std::uint32_t id) {
+  Point x(dimensions);
+  for (int k = 0; k < dimensions; ++k) x[k] = Rng{7}.uniform(Stream::probe, 0, id, static_cast<std::uint32_t>(k));
+  return x;
+}
+
+int about_as_fast(const char* name, const Tracks& recording) {
+  const auto model = parse_model(name);
+  const Conditions conditions = make_conditions(recording, {});
+  const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
+  const Objective objective(model, conditions, target);
+  const SearchSpace space(model, conditions.scales, {});
+  std::vector<std::vector<double>> candidates;
+  for (std::uint32_t k = 0; k < kCandidates; ++k) candidates.push_back(space.parameters(random_point(space.dimensions(), k)));
+  int near = 0;
+  for (const auto& outcome : objective.evaluate(candidates, replicate_seeds({1}, Stream::replicate, 1))) {
+    const double ratio = outcome.distributions[kSpeed].moments.mean / conditions.scales.speed;
+    near += outcome.failed == 0 && ratio > 0.5 && ratio < 2;
+  }
+  return near;
+}
+
+void expect_a_quarter(const Tracks& recording) {
+  for (const char* name : kChoices) {
+    const int near = about_as_fast(name, recording);
+    testing::Test::RecordProperty(name, near);  // in the XML report
+    EXPECT_GE(near, kCandidates / 4) << name;
+  }
+}
+
+std::string recorded(const char* path) { return std::string(SWARMFIT_SOURCE_DIR) + "/../shared/data/" + path; }
+
+TEST(RandomCandidates, MoveAboutAsFastAsTheDemo) { expect_a_quarter(demo_recording()); }
+
+TEST(RandomCandidates, MoveAboutAsFastAsMidges) {
+  const auto path = recorded("midge-lab-3d/BiologicalSwarmTimeSeries.txt");
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: the midge recording is not at " << path;
+  ReadOptions options;
+  options.columns = "id,x,y,z,t,vx,vy,vz,ax,ay,az";
+  options.unit = "mm";
+  expect_a_quarter(read_tracks(path, options));
+}
+
+TEST(RandomCandidates, MoveAboutAsFastAsJackdaws) {
+  const auto path = recorded("jackdaw-flocks-3d/transit_05.mat");
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: the jackdaw recording is not at " << path;
+  ReadOptions options;
+  options.unit = "m";
+  options.frames = Interval{100, 300};
+  expect_a_quarter(read_tracks(path, options));
+}
+
+}  // namespace
+}  // namespace swarmfit
