@@ -90,7 +90,7 @@ inline TestFunction sphere(int dimensions, std::uint64_t seed) {
 // What a fit looks like: the mean total variation distance of seven histograms, normal distributions whose means and widths depend on
 // the parameters, from those at the optimum. A sharp valley without a parabola at its bottom.
 inline TestFunction histograms(int dimensions, std::uint64_t seed) {
-  constexpr int metrics = 7, bins = 60;
+  static constexpr int metrics = 7, bins = 60;
   const Point optimum = random_optimum(dimensions, seed);
   const Eigen::MatrixXd effect = 1.5 * normal_matrix(2 * metrics, dimensions, seed + 1000);
   const auto densities = [effect](const Point& x) {
