@@ -19,7 +19,9 @@ class ProgressLine {
   std::string text(const CompareProgress& now) const;
 
   bool quiet_, terminal_;
-  std::chrono::steady_clock::time_point start_, last_;
+  std::chrono::steady_clock::time_point start_;          // of the phase: one model's pass
+  std::chrono::steady_clock::time_point last_;           // when the line was last drawn
+  std::chrono::steady_clock::time_point last_in_phase_;  // of the last report: where the next phase starts
   std::string phase_;
 };
 

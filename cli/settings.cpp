@@ -14,6 +14,7 @@
 #include "fit/plant.h"
 #include "libtrack/error.h"
 #include "libtrack/read.h"
+#include "libtrack/write.h"
 
 namespace swarmfit::cli {
 namespace {
@@ -103,7 +104,8 @@ std::string quoted(const std::vector<std::string>& texts) {
 
 Tracks load(const DataArguments& data) {
   const ReadOptions options = read_options(data);
-  if (data.path == "demo") return demo_recording();
+  // The built-in recording goes through the reader like any other, so that --frames, --fill-gaps and the rest hold for it too.
+  if (data.path == "demo") return read_tracks_bytes("demo", to_csv(demo_recording()), options);
   if (data.path != "-") return read_tracks(data.path, options);
   return read_tracks_bytes("standard input", {std::istreambuf_iterator<char>(std::cin), {}}, options);
 }

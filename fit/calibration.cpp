@@ -53,6 +53,11 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnGeneratio
   conclude(number, weighting);
 }
 
+std::int64_t ModelSearch::planned(int number) const {
+  const int generations = std::max(1, options_.budget.generations / (number == 1 ? 1 : kLaterPassShare));
+  return std::int64_t{options_.budget.population} * generations;
+}
+
 std::int64_t ModelSearch::left() const {
   return options_.max_evaluations > 0 ? std::max<std::int64_t>(0, options_.max_evaluations - evaluations())
                                       : std::numeric_limits<std::int64_t>::max();
@@ -90,10 +95,9 @@ void ModelSearch::keep(const Point& x, const Outcome& outcome, int pass) {
 void ModelSearch::search(int number, const Weighting& weighting, const OnGeneration& on_generation) {
   if (left() == 0) return;
   SearchOptions plan;
-  const int share = number == 1 ? 1 : kLaterPassShare;
   plan.genetic.population = options_.budget.population;
-  plan.genetic.generations = std::max(1, options_.budget.generations / share);
-  plan.genetic.stall = std::max(1, plan.genetic.stall / share);
+  plan.genetic.generations = static_cast<int>(planned(number)) / options_.budget.population;
+  plan.genetic.stall = std::max(1, plan.genetic.stall / (number == 1 ? 1 : kLaterPassShare));
   plan.genetic.max_evaluations = options_.max_evaluations > 0 ? left() : 0;
   plan.refine.starts = options_.budget.refinements;
   const auto before = evaluations();
@@ -113,12 +117,11 @@ void ModelSearch::search(int number, const Weighting& weighting, const OnGenerat
     return costs;
   };
   const auto start = rescored(archive_, weighting, static_cast<std::size_t>(plan.genetic.population), 0.0);
-  const Found found =
-      swarmfit::search(space_.dimensions(), cost, plan, rng_.derive(Stream::search, static_cast<std::uint64_t>(number)), start,
-                       [&](const GenerationReport& report) {
-                         convergence_.push_back({number, before + report.evaluations, -report.best});
-                         return !on_generation || on_generation({report.generation, before + report.evaluations, report.best});
-                       });
+  const Found found = swarmfit::search(space_.dimensions(), cost, plan, rng_.derive(Stream::search, static_cast<std::uint64_t>(number)),
+                                       start, [&](const GenerationReport& report) {
+                                         convergence_.push_back({number, before + report.evaluations, -report.best});
+                                         return !on_generation || on_generation(report);
+                                       });
   if (found.stop == Stop::interrupted) throw Interrupted{};
   for (const auto& e : found.visited) keep(e.x, seen.at(e.x), number);
   stop_reason_ = to_string(found.stop);

@@ -22,6 +22,7 @@ class ModelSearch {
   // One calibration pass: rescores the archive, searches, judges the leaders on fresh seeds, and refines the best of them.
   void pass(int number, const Weighting& weighting, const OnGeneration& on_generation);
 
+  std::int64_t planned(int number) const;  // candidates of the search of a pass
   const Selected& selected() const { return selected_; }
   const SearchSpace& space() const { return space_; }
   const Objective& objective() const { return objective_; }

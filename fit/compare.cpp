@@ -82,8 +82,8 @@ class Calibration {
 
  private:
   bool tell(std::size_t m, int pass, int passes, const GenerationReport& report) const {
-    return !on_progress_ || on_progress_({options_.models[m].name, m, searches_.size(), pass, passes, report.generation,
-                                          options_.budget.generations, report.evaluations, -report.best});
+    return !on_progress_ || on_progress_({options_.models[m].name, m, searches_.size(), pass, passes, report.generation, report.evaluations,
+                                          searches_[m].planned(pass), -report.best});
   }
 
   const CompareOptions& options_;

@@ -44,9 +44,9 @@ struct CompareProgress {
   std::string model;
   std::size_t index, models;  // index from 0
   int pass, passes;
-  int generation, generations;
-  std::int64_t evaluations;  // of this model, all passes
-  double best;               // score with the pass's weights
+  int generation;
+  std::int64_t evaluations, planned;  // candidates of this model in this pass; the plan may be cut short
+  double best;                        // score with the pass's weights
 };
 // Called after every generation; returning false interrupts.
 using OnCompareProgress = std::function<bool(const CompareProgress&)>;

@@ -160,8 +160,8 @@ class Evolution {
   int generation_ = 0;
   std::vector<Evaluated> population_;  // ascending in cost
   std::vector<Point> replaced_;        // parents that a child has replaced: where not to go
-  std::vector<Evaluated> known_;       // the finite starts, then everything evaluated
-  std::size_t starts_ = 0;             // how many of known_ are starts
+  std::vector<Evaluated> visited_;
+  std::vector<Evaluated> known_;  // the starts and the visited, without failures
   Memory memory_;
   Record best_record_, elite_record_;
 };
@@ -172,18 +172,15 @@ std::vector<double> Evolution::evaluate(const std::vector<Point>& points) {
   assert(costs.size() == points.size());
   evaluations_ += static_cast<std::int64_t>(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::isfinite(costs[i])) {
-      known_.push_back({points[i], costs[i]});
-    } else {
-      costs[i] = failed;
-    }
+    if (!std::isfinite(costs[i])) costs[i] = failed;
+    visited_.push_back({points[i], costs[i]});
+    if (std::isfinite(costs[i])) known_.push_back(visited_.back());
   }
   return costs;
 }
 
 void Evolution::found_population(const std::vector<Evaluated>& start) {
   std::copy_if(start.begin(), start.end(), std::back_inserter(known_), [](const Evaluated& e) { return std::isfinite(e.cost); });
-  starts_ = known_.size();
   std::vector<Evaluated> sorted = known_;
   std::stable_sort(sorted.begin(), sorted.end(), cheaper);
   for (const Evaluated& e : sorted) {
@@ -331,8 +328,7 @@ SearchResult Evolution::result(Stop stop) && {
     const auto is_same = [&](const Evaluated& other) { return same(other.x, e.x); };
     if (std::isfinite(e.cost) && std::none_of(out.best.begin(), out.best.end(), is_same)) out.best.push_back(std::move(e));
   }
-  known_.erase(known_.begin(), known_.begin() + static_cast<std::ptrdiff_t>(starts_));
-  out.visited = std::move(known_);
+  out.visited = std::move(visited_);
   return out;
 }
 

@@ -40,8 +40,8 @@ std::string to_string(Stop);
 
 struct SearchResult {
   std::vector<Evaluated> best;     // distinct, ascending in cost, none failed
-  std::vector<Evaluated> visited;  // every point evaluated successfully, in order
-  std::int64_t evaluations = 0;    // failed ones included
+  std::vector<Evaluated> visited;  // every point evaluated, in order; cost +inf: failed
+  std::int64_t evaluations = 0;    // = visited.size()
   int generations = 0;
   Stop stop = Stop::generations;
 };
@@ -104,7 +104,8 @@ struct Found : SearchResult {
   double roughness = 0;   // standard deviation of the costs about a smooth surface near the best; 0: smooth, or too few points to tell
 };
 
-// genetic_search, then refine, then one evaluation of the response surface's minimum; never more evaluations than the budget.
+// genetic_search, then refine, then one evaluation of the response surface's minimum; never more evaluations than the budget. The
+// refinement calls `cost` with single points from several threads at once.
 // Candidates of final comparisons on fresh random numbers: `recommended` and the first of `best`.
 Found search(int dimensions, const BatchCost& cost, const SearchOptions& options, const Rng& rng, const std::vector<Evaluated>& start = {},
              const OnGeneration& on_generation = {});

@@ -10,6 +10,8 @@
 
 namespace swarmfit {
 
+// Every cost passed in here is finite.
+
 // 1 + d + d(d+1)/2
 constexpr int quadratic_coefficients(int dimensions) { return (dimensions + 1) * (dimensions + 2) / 2; }
 

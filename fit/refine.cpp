@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <nlopt.hpp>
 
 #include "fit/genetic.h"
@@ -34,8 +35,8 @@ double evaluate(const std::vector<double>& x, std::vector<double>&, void* data) 
     run.error = std::current_exception();
     throw nlopt::forced_stop();
   }
+  run.visited.push_back({point, std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity()});
   if (!std::isfinite(cost)) return failed_cost;
-  run.visited.push_back({point, cost});
   if (cost < run.best.cost) run.best = {point, cost};
   return cost;
 }

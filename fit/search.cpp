@@ -18,32 +18,39 @@ std::int64_t budget_of(const GeneticOptions& options) {
   return options.max_evaluations > 0 ? std::min(options.max_evaluations, planned) : planned;
 }
 
+void append_succeeded(std::vector<Evaluated>& to, const std::vector<Evaluated>& from) {
+  std::copy_if(from.begin(), from.end(), std::back_inserter(to), [](const Evaluated& e) { return std::isfinite(e.cost); });
+}
+
 // How rough the landscape is about `best`. The simplexes zoomed in on it: if the landscape is smooth, the nearest of their points lie on a
 // quadratic, otherwise its residuals are most of the variance. Without enough of their points nothing can be told: the many valleys of a
 // smooth landscape, seen from afar, look just as rough.
 double roughness_near(const Evaluated& best, const std::vector<Evaluated>& refinement) {
+  std::vector<Evaluated> points;
+  append_succeeded(points, refinement);
   const Eigen::Index d = best.x.size();
-  const auto model = fit_quadratic(refinement, {best.x, Eigen::MatrixXd::Identity(d, d)}, 3 * quadratic_coefficients(static_cast<int>(d)));
+  const auto model = fit_quadratic(points, {best.x, Eigen::MatrixXd::Identity(d, d)}, 3 * quadratic_coefficients(static_cast<int>(d)));
   return model && model->explained < 0.5 ? model->residual_sd : 0;
 }
 
 // The surface's minimum is one more candidate. By how much may the best be cheaper out of luck? The least of n normal numbers lies
 // about sqrt(2 ln n) standard deviations below the mean; two more for the candidate's own roughness.
 void try_response_surface(Found& found, const BatchCost& cost, const std::vector<Evaluated>& start) {
-  std::vector<Evaluated> known = found.visited;
-  std::copy_if(start.begin(), start.end(), std::back_inserter(known), [](const Evaluated& e) { return std::isfinite(e.cost); });
+  std::vector<Evaluated> known;
+  append_succeeded(known, found.visited);
+  append_succeeded(known, start);
   const auto surface = response_surface(known);
   if (!surface) return;
-  const Evaluated candidate{surface->minimum, cost_of_one(cost, surface->minimum)};
+  Evaluated candidate{surface->minimum, cost_of_one(cost, surface->minimum)};
+  if (!std::isfinite(candidate.cost)) candidate.cost = std::numeric_limits<double>::infinity();
   ++found.evaluations;
-  if (!std::isfinite(candidate.cost)) return;
+  found.visited.push_back(candidate);
   const double luck = found.roughness * (std::sqrt(2 * std::log(static_cast<double>(known.size()))) + 2);
   if (candidate.cost <= found.best.front().cost + luck) found.recommended = candidate;
   if (candidate.cost < found.best.front().cost) {
     std::erase_if(found.best, [&](const Evaluated& e) { return same(e.x, candidate.x); });
     found.best.insert(found.best.begin(), candidate);
   }
-  found.visited.push_back(candidate);
 }
 
 }  // namespace

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// The program as its user meets it: exit codes, one-line errors, what goes to standard output, and what a run leaves on disk.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+std::string content(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+struct Result {
+  int code;
+  std::string out, err;
+};
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    dir_ = fs::temp_directory_path() / ("swarmfit_cli_" + std::string(info->name()));
+    fs::remove_all(dir_);
+    fs::create_directories(dir_);
+  }
+  void TearDown() override { fs::remove_all(dir_); }
+
+  // Runs the program in a folder of its own; `input` is its standard input.
+  Result run(const std::string& arguments, const std::string& input = "") const {
+    write("stdin", input);
+    const std::string command = "cd '" + dir_.string() + "' && '" SWARMFIT_PROGRAM "' " + arguments + " <stdin 2>stderr";
+    FILE* pipe = popen(command.c_str(), "r");
+    Result result{-1, "", ""};
+    std::array<char, 4096> buffer;
+    for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) result.out.append(buffer.data(), n);
+    result.code = WEXITSTATUS(pclose(pipe));
+    result.err = content(dir_ / "stderr");
+    return result;
+  }
+
+  void write(const std::string& name, const std::string& bytes) const { std::ofstream(dir_ / name, std::ios::binary) << bytes; }
+
+  // Bad input: exit code 2, one line on standard error, nothing on standard output.
+  void expect_refused(const std::string& arguments, const std::string& message, const std::string& input = "") const {
+    const Result r = run(arguments, input);
+    EXPECT_EQ(r.code, 2) << arguments;
+    EXPECT_THAT(r.out, IsEmpty()) << arguments;
+    EXPECT_THAT(r.err, AllOf(StartsWith("swarmfit: "), HasSubstr(message))) << arguments;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+  }
+
+  fs::path dir_;
+};
+
+constexpr const char* kQuick = "--budget quick --max-evaluations 20 --replicates 1 -q ";
+
+TEST_F(Program, ShowsHelpAndVersion) {
+  EXPECT_EQ(run("--version").code, 0);
+  EXPECT_THAT(run("--version").out, StartsWith("swarmfit "));
+  const Result help = run("compare --help");
+  EXPECT_EQ(help.code, 0);
+  EXPECT_THAT(help.out, AllOf(HasSubstr("--obs-noise"), HasSubstr("--preset"), HasSubstr("--columns")));
+}
+
+TEST_F(Program, RefusesBadFlagsInOneLine) {
+  expect_refused("", "subcommand");
+  expect_refused("describe", "DATA");
+  expect_refused("describe demo --no-such-flag", "--no-such-flag");
+  expect_refused("compare demo -m bswarm", "fewer than two models");
+  expect_refused("compare demo -m bswarm,bswarm", "named twice");
+  expect_refused("compare demo -m bswarm,birds", "birds");
+  expect_refused("compare demo -m 'bswarm,bswarm[noise=pink]'", "pink");
+  expect_refused("compare demo -m bswarm,boids --budget huge", "quick, default, thorough");
+  expect_refused("compare demo -m bswarm,boids --set gama=1", "gama");
+  expect_refused("compare demo -m bswarm,boids --bounds gamma=2:1", "empty");
+  expect_refused("compare demo -m bswarm,boids --obs-noise much", "much");
+  expect_refused("compare demo -m bswarm,boids --arena ball", "--arena ball");
+  expect_refused("fit demo -m bswarm,boids", "exactly one model");
+  expect_refused("simulate birds -o x.csv", "birds");
+}
+
+TEST_F(Program, NamesThePlaceOfABadRow) {
+  write("bad.csv", "frame,particle,x,y\n0,1,2,3\n1,1,oops,3\n");
+  expect_refused("describe bad.csv --fps 10 --unit m", "bad.csv:3:5");
+  expect_refused("describe missing.csv --fps 10 --unit m", "missing.csv");
+  expect_refused("describe bad.csv", "bad.csv");
+}
+
+TEST_F(Program, ReadsStandardInput) {
+  const Result r = run("describe - --fps 10 --unit m --json", "frame,particle,x,y\n0,1,2,3\n1,1,2.5,3\n2,1,3,3\n");
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("\"schema\": \"swarmfit-summary/1\""));
+}
+
+TEST_F(Program, ConvertedDemoReadsBackWithoutFlags) {
+  ASSERT_EQ(run("convert demo -o demo.csv").code, 0);
+  const Result again = run("convert demo.csv -o again.csv");
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(content(dir_ / "demo.csv"), content(dir_ / "again.csv"));
+  const Result same = run("evaluate demo demo.csv --json");
+  ASSERT_EQ(same.code, 0) << same.err;
+  EXPECT_THAT(same.out, HasSubstr("\"omega\": 0"));
+}
+
+TEST_F(Program, SimulatesTheSameTwice) {
+  ASSERT_EQ(run("simulate bswarm --agents 10 --frames 20 --seed 3 -o a.csv").code, 0);
+  ASSERT_EQ(run("simulate bswarm --agents 10 --frames 20 --seed 3 --threads 1 -o b.csv").code, 0);
+  ASSERT_EQ(run("simulate bswarm --agents 10 --frames 20 --seed 4 -o c.csv").code, 0);
+  EXPECT_EQ(content(dir_ / "a.csv"), content(dir_ / "b.csv"));
+  EXPECT_NE(content(dir_ / "a.csv"), content(dir_ / "c.csv"));
+}
+
+TEST_F(Program, WeighsATable) {
+  write("table.csv", "model,v,a\nA,1,5\nB,2,3\nC,4,4\n");
+  const Result r = run("weigh table.csv --json");
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("\"weights\""));
+  expect_refused("weigh -", "standard input:2:3", "model,v\nA,x\n");
+}
+
+TEST_F(Program, ListsModelsAndFormats) {
+  EXPECT_THAT(run("models").out, AllOf(HasSubstr("bswarm"), HasSubstr("boids"), HasSubstr("gamma")));
+  EXPECT_THAT(run("formats").out, HasSubstr("endings"));
+  EXPECT_THAT(run("models --json").out, StartsWith("{"));
+}
+
+TEST_F(Program, CompareLeavesACompleteRunWithTheSameBytesForAnyNumberOfThreads) {
+  const std::string job = std::string("compare demo -m bswarm,boids --frames 0:80 ") + kQuick;
+  const Result one = run(job + "--threads 1 --out one");
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_THAT(one.err, IsEmpty());
+  EXPECT_THAT(one.out, HasSubstr("bswarm"));
+  ASSERT_EQ(run(job + "--threads 3 --out three").code, 0);
+  for (const char* file : {"results.json", "history.csv", "report.html", "config.toml", "tables/energies.csv", "tables/parameters.csv",
+                           "tables/pdfs.csv", "tables/ranking.csv", "tables/weights.csv"}) {
+    EXPECT_FALSE(content(dir_ / "one" / file).empty()) << file;
+    EXPECT_EQ(content(dir_ / "one" / file), content(dir_ / "three" / file)) << file;
+  }
+  EXPECT_TRUE(fs::exists(dir_ / "one/timing.json"));
+}
+
+TEST_F(Program, ConfigOfARunRepeatsIt) {
+  const Result first =
+      run(std::string("compare demo -m 'boids,bswarm[noise=white]' --set tau=0.3 --bounds bswarm.gamma=0.001:0.1 ") + kQuick + "--out a");
+  ASSERT_EQ(first.code, 0) << first.err;
+  const Result again = run("compare --config a/config.toml -q --out b");
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(content(dir_ / "a/results.json"), content(dir_ / "b/results.json"));
+}
+
+TEST_F(Program, DoesNotTouchAForeignFolder) {
+  fs::create_directories(dir_ / "mine");
+  write("mine/thesis.txt", "years of work");
+  expect_refused(std::string("compare demo -m bswarm,boids ") + kQuick + "--out mine", "mine");
+  EXPECT_EQ(content(dir_ / "mine/thesis.txt"), "years of work");
+}
+
+TEST_F(Program, FitsOneModel) {
+  const Result r = run(std::string("fit demo -m boids --json ") + kQuick + "--out f");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, AllOf(HasSubstr("\"command\": \"fit\""), HasSubstr("\"rank\": 1")));
+}
+
+}  // namespace
