@@ -159,9 +159,9 @@ TEST_P(Mat, DamagedFilesAreSurvived) {
     } catch (const InputError&) {
     }
   };
-  for (std::size_t n = 0; n < good.size(); n += std::max<std::size_t>(1, good.size() / 150)) survive(good.substr(0, n));
+  for (std::size_t n = 0; n < good.size(); n += std::max<std::size_t>(1, good.size() / 60)) survive(good.substr(0, n));
   const Rng rng{1};
-  for (std::uint32_t round = 0; round < 300; ++round) {
+  for (std::uint32_t round = 0; round < 120; ++round) {
     auto bytes = good;
     for (std::uint32_t k = 0; k <= round % 4; ++k) {
       const auto u = rng.uniform2(Stream::probe, round, k);
