@@ -260,6 +260,53 @@ TEST_P(EveryModel, AgentsComeAndGo) {
   EXPECT_NEAR(out.moments[3].pos(20, 1), 1, 1e-15);  // where it was recorded
 }
 
+// ---- the bounds of fits ---------------------------------------------------------------------------------------------------------
+
+// What a recording looks like from here; random motion of that kind is the start of the simulations.
+struct Recording {
+  const char* name;
+  Index agents;
+  Scales scales;
+  double dt;
+  bool polarised;
+};
+
+// Candidates are drawn uniformly within the fit bounds, on the scale on which they are searched. At least a quarter of them must move
+// within a factor two of the recorded speed, or the search wastes most of its time (about half do; 100 candidates: ±5 %).
+TEST_P(EveryModel, ManyRandomCandidatesMoveAboutAsFastAsTheRecording) {
+  const Recording midges{"midges", 10, {.extent = 107, .spacing = 70, .speed = 225}, 0.01, false};
+  const Recording jackdaws{"jackdaws", 28, {.extent = 10, .spacing = 2.5, .speed = 11}, 1.0 / 60, true};
+  const ModelChoice choice = parse_model(GetParam());
+  for (const Recording& r : {midges, jackdaws}) {
+    swarmfit::Setup setup;  // not testing::Test::Setup
+    setup.options = choice.options;
+    setup.scales = r.scales;
+    const Made made{choice, choice.spec->make(setup)};
+    Plan plan{.frame_dt = r.dt, .substeps = substeps(*choice.spec, r.scales, r.dt), .frames = 150};
+    int matching = 0;
+    const std::uint32_t candidates = 100;
+    for (std::uint32_t k = 0; k < candidates; ++k) {
+      Lane lane = crowd(made, r.agents, 2 * r.scales.extent, r.scales.speed, k);  // a cube of edge 2 L has the extent L
+      if (r.polarised) lane.state.vel.rowwise() = Eigen::Array<double, 1, 3>(r.scales.speed, 0, 0);
+      for (std::size_t p = 0; p < lane.p.size(); ++p) {
+        const Parameter& row = choice.spec->parameters[p];
+        const auto [initial, lower, upper] = row.fit;
+        const double u = Rng{77}.uniform(Stream::probe, k, static_cast<std::uint32_t>(p));
+        const double drawn = row.log ? lower * std::pow(upper / lower, u) : lower + u * (upper - lower);
+        lane.p[p] = row.scale(r.scales) * (row.fitted && choice.spec->uses(p, choice.options) ? drawn : initial);
+      }
+      Recorded out;
+      lane.out = &out;
+      run(made, plan, lane);
+      ASSERT_FALSE(lane.blew_up);
+      double speed = 0;
+      for (const auto& m : out.moments) speed += m.vel.square().rowwise().sum().sqrt().mean() / static_cast<double>(out.moments.size());
+      matching += speed > r.scales.speed / 2 && speed < 2 * r.scales.speed;
+    }
+    EXPECT_GE(matching, 0.25 * candidates) << r.name;
+  }
+}
+
 TEST_P(EveryModel, AloneIsFine) {
   const Made made = make(GetParam());
   Lane lane = busy(made, 1, 1);

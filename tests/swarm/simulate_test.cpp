@@ -43,7 +43,7 @@ struct Straight : Model {
   mutable std::vector<Index> entered;
 
   Index columns() const override { return 1; }
-  void enter(State& state, Index first, const World&, const Rng&) const override {
+  void enter(State& state, Index first, const World&, const StepContext&) const override {
     for (Index i = first; i < state.size(); ++i) {
       entered.push_back(state.id[static_cast<std::size_t>(i)]);
       state.own(i, 0) = 100 + state.id[static_cast<std::size_t>(i)];

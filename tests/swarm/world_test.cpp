@@ -123,8 +123,8 @@ TEST(Presence, EntersAndLeavesAsRecorded) {
                      {.id = 4, .kind = 0, .enter = 2, .leave = 9, .pos = {0, 0, 0}, .vel = {0, 0, 0}}});
   State s;
   const auto ids_at = [&](std::int64_t frame) {
-    presence.advance({frame, 0, 0, 0}, s);
-    presence.advance({frame, 1, 0, 0}, s);
+    presence.advance({frame, 0, 0, 0}, World{}, s);
+    presence.advance({frame, 1, 0, 0}, World{}, s);
     return s.id;
   };
   EXPECT_THAT(ids_at(0), ElementsAre(1));
