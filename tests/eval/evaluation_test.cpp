@@ -20,7 +20,8 @@ Tracks walkers(double speed, const std::string& unit = "m", double dt = 0.1) {
   c.pos.resize(static_cast<Index>(c.track.size()), 3);
   for (std::size_t i = 0; i < c.track.size(); ++i) {
     const double t = static_cast<double>(c.frame[i]) * dt;
-    c.pos.row(static_cast<Index>(i)) << std::sin(speed * t + c.track[i]), std::cos(1.3 * speed * t * (1 + c.track[i])), 0.2 * c.track[i] + 0.1 * t;
+    c.pos.row(static_cast<Index>(i)) << std::sin(speed * t + c.track[i]), std::cos(1.3 * speed * t * (1 + c.track[i])),
+        0.2 * c.track[i] + 0.1 * t;
   }
   TrackMeta meta;
   meta.dt = dt;
