@@ -6,7 +6,7 @@
 namespace swarmfit::cli {
 namespace {
 
-volatile std::sig_atomic_t signalled = 0;
+volatile std::sig_atomic_t signalled = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): all a signal handler may touch
 
 void on_signal(int number) {
   signalled = 1;

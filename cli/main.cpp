@@ -99,7 +99,7 @@ struct Program {
     add_lists();
   }
 
-  CLI::App& command(const char* name, const char* help, std::function<int()> run) {
+  CLI::App& command(const char* name, const char* help, const std::function<int()>& run) {
     auto* sub = app.add_subcommand(name, help);
     sub->callback([this, run] { chosen = run; });
     return *sub;
@@ -193,18 +193,27 @@ int run(int argc, char** argv) {
     return code == 0 ? 0 : 2;
   }
   install_interrupt_handler();
-  try {
-    return program.chosen();
-  } catch (const InputError& e) {
-    std::fprintf(stderr, "swarmfit: %s\n", e.what());
-    return 2;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "swarmfit: %s\n", e.what());
-    return 1;
-  }
+  return program.chosen();
+}
+
+// One line on standard error for whatever went wrong.
+int complain(const char* what, int code) {
+  std::fprintf(stderr, "swarmfit: %s\n", what);
+  return code;
 }
 
 }  // namespace
 }  // namespace swarmfit::cli
 
-int main(int argc, char** argv) { return swarmfit::cli::run(argc, argv); }
+int main(int argc, char** argv) {
+  using swarmfit::cli::complain;
+  try {
+    return swarmfit::cli::run(argc, argv);
+  } catch (const swarmfit::InputError& e) {
+    return complain(e.what(), 2);
+  } catch (const std::exception& e) {
+    return complain(e.what(), 1);
+  } catch (...) {
+    return complain("an unknown error", 1);
+  }
+}

@@ -38,7 +38,7 @@ inline Point random_optimum(int dimensions, std::uint64_t seed) {
   return x;
 }
 
-inline TestFunction noiseless(std::string name, Point optimum, std::function<double(const Point&)> f) {
+inline TestFunction noiseless(std::string name, Point optimum, const std::function<double(const Point&)>& f) {
   return {std::move(name), std::move(optimum), f, f};
 }
 
