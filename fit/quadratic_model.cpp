@@ -88,7 +88,7 @@ std::optional<QuadraticModel> fit_quadratic(const std::vector<Evaluated>& points
   struct Near {
     double distance;
     int index;
-    auto operator<=>(const Near&) const = default;
+    auto operator<=>(const Near&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads it
   };
   std::vector<Point> white(points.size());
   std::vector<Near> near(points.size());

@@ -31,7 +31,8 @@ bool names_parameter_of(const std::string& key, const ModelChoice& model) {
 
 template <class Value>
 void check_keys(const std::map<std::string, Value>& requests, const char* flag, const std::vector<ModelChoice>& models) {
-  for (const auto& [key, value] : requests) {
+  for (const auto& request : requests) {
+    const std::string& key = request.first;
     if (std::any_of(models.begin(), models.end(), [&](const ModelChoice& m) { return names_parameter_of(key, m); })) continue;
     std::vector<std::string_view> names;
     for (const auto& m : models)
