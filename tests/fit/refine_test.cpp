@@ -84,7 +84,7 @@ TEST(Refine, FailuresNeverWin) {
   const auto result = refine(starts_of(f, 2, 0.05), [&](const Point& x) { return x[0] < edge ? nan : f.cost(x); }, {});
   EXPECT_GE(result.best.front().x[0], edge);
   EXPECT_LT(result.best.front().cost, starts_of(f, 1, 0.05)[0].cost);
-  EXPECT_LT(static_cast<std::int64_t>(result.visited.size()), result.evaluations) << "failures are counted but not visited";
+  EXPECT_TRUE(std::any_of(result.visited.begin(), result.visited.end(), [](const auto& e) { return std::isinf(e.cost); }));
 }
 
 TEST(Refine, SameBitsForAnyNumberOfThreads) {
