@@ -39,7 +39,7 @@ class Assembly {
     check_columns();
     demand_flags();
     std::vector<std::uint32_t> seen = drop_unseen();
-    order_rows(std::move(seen));
+    order_rows(seen);
     number_frames();
     select();
     drop_duplicates();
@@ -114,7 +114,7 @@ class Assembly {
   }
 
   // Groups the rows by individual, in natural order of the names, and sorts each by time.
-  void order_rows(std::vector<std::uint32_t> seen) {
+  void order_rows(const std::vector<std::uint32_t>& seen) {
     const auto& all = table_.names.names();
     std::vector<std::size_t> count(all.size(), 0);
     for (const auto row : seen) ++count[table_.track[row]];

@@ -62,7 +62,7 @@ Html element(std::string_view tag, std::string_view classes, const Html& content
   return {fmt::format("{}{}</{}>", opened(tag, classes), content.text, tag)};
 }
 
-HtmlTable& HtmlTable::add(std::string& part, std::string_view row_classes, std::vector<Cell> cells) {
+HtmlTable& HtmlTable::add(std::string& part, std::string_view row_classes, const std::vector<Cell>& cells) {
   const bool heading = &part == &head_;
   part += opened("tr", row_classes);
   for (const Cell& cell : cells) {

@@ -39,13 +39,13 @@ class HtmlTable {
     bool head = false;
     bool soft = false;  // a metric that is left out
   };
-  HtmlTable& head(std::vector<Cell> cells) { return add(head_, "", std::move(cells)); }
-  HtmlTable& row(std::vector<Cell> cells, std::string_view classes = "") { return add(body_, classes, std::move(cells)); }
-  HtmlTable& foot(std::vector<Cell> cells) { return add(foot_, "", std::move(cells)); }
+  HtmlTable& head(const std::vector<Cell>& cells) { return add(head_, "", cells); }
+  HtmlTable& row(const std::vector<Cell>& cells, std::string_view classes = "") { return add(body_, classes, cells); }
+  HtmlTable& foot(const std::vector<Cell>& cells) { return add(foot_, "", cells); }
   Html html() const;
 
  private:
-  HtmlTable& add(std::string& part, std::string_view classes, std::vector<Cell> cells);
+  HtmlTable& add(std::string& part, std::string_view classes, const std::vector<Cell>& cells);
   std::string caption_, head_, body_, foot_;
 };
 

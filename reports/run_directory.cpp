@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reports/run_directory.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "libtrack/error.h"
@@ -57,10 +59,8 @@ void write_run(const std::string& dir, const Comparison& c) {
 }
 
 std::string config_toml(const Comparison& c) {
-  std::string out(kMark);
-  out += ": `swarmfit " + c.command + " --config config.toml --out NEW_FOLDER` repeats it.\n";
-  out += '[' + c.command + "]\n";
-  for (const auto& [key, value] : c.config) out += key + " = " + value + '\n';
+  std::string out = fmt::format("{}: `swarmfit {} --config config.toml --out NEW_FOLDER` repeats it.\n[{}]\n", kMark, c.command, c.command);
+  for (const auto& [key, value] : c.config) out += fmt::format("{} = {}\n", key, value);
   return out;
 }
 
