@@ -17,7 +17,7 @@ namespace {
 const std::array<Budget, 3> kBudgets{{
     // name     population generations replicates selection refinements each final passes
     {"quick", 24, 20, 2, 6, 1, 24, 8, 3},
-    {"default", 40, 60, 3, 12, 2, 40, 12, 6},
+    {"default", 40, 60, 3, 12, 2, 80, 12, 6},
     {"thorough", 80, 120, 5, 24, 4, 80, 24, 10},
 }};
 
