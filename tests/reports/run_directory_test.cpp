@@ -90,7 +90,7 @@ TEST(ConfigToml, HoldsEverySettingAsItWasGiven) {
   c.config = {{"DATA", "\"a \\\"b\\\".txt\""}, {"model", "[\"bswarm\", \"boids\"]"}, {"seed", "1"}};
   EXPECT_EQ(config_toml(c),
             "# A run of swarmfit: `swarmfit compare --config config.toml --out NEW_FOLDER` repeats it.\n"
-            "DATA = \"a \\\"b\\\".txt\"\nmodel = [\"bswarm\", \"boids\"]\nseed = 1\n");
+            "[compare]\nDATA = \"a \\\"b\\\".txt\"\nmodel = [\"bswarm\", \"boids\"]\nseed = 1\n");
 }
 
 }  // namespace
