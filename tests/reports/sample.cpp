@@ -103,7 +103,7 @@ void add_facts(Comparison& c) {
             131,         41,
             213,         {"3 duplicated rows were dropped"}};
   ObservationFacts& o = c.observation;
-  o = {"recorded", "open", "estimate", {0.31, 0.29, 0.52}, true, 0, "difference", {0.02, 0.67, 0.21, 0.74, 0.78, 0.01, 0.11}, {}, {}};
+  o = {"recorded", "open", 0, "estimate", {0.31, 0.29, 0.52}, true, 0, "difference", {0.02, 0.67, 0.21, 0.74, 0.78, 0.01, 0.11}, {}, {}};
   for (std::size_t m = 0; m < kMetrics; ++m) o.used[m] = o.error_share[m] < 0.7;
   for (const std::size_t m : {kAngularAcceleration, kJerk}) o.why_not[m] = "more than half of its variance is localisation error";
   c.warnings = {"Acceleration, angular acceleration and jerk are mostly localisation error."};
@@ -137,7 +137,7 @@ Comparison sample_comparison(const std::vector<Sketch>& models) {
     c.models.push_back(fit_result(c, sketch, ++rank));
     c.named.push_back(sketch.name);
     c.searched.push_back({"gamma", "chi_att", "r_rep"});
-    c.history.push_back({static_cast<std::size_t>(rank - 1), 1, "genetic", {0.01, 2100, 12.5}, c.models.back().raw_energies, 0});
+    c.history.push_back({static_cast<std::size_t>(rank - 1), 1, "search", {0.01, 2100, 12.5}, c.models.back().raw_energies, 0});
   }
   return c;
 }

@@ -93,7 +93,7 @@ TEST(History, ParametersAreOneColumn) {
   const auto rows = lines(history_csv(c));
   ASSERT_EQ(rows.size(), 6u);
   EXPECT_EQ(rows[0], "model,pass,phase,failed,v,a,omega,alpha,mu,d,eta,parameters");
-  EXPECT_THAT(rows[1], StartsWith("bswarm,1,genetic,0,"));
+  EXPECT_THAT(rows[1], StartsWith("bswarm,1,search,0,"));
   EXPECT_THAT(rows[1], HasSubstr(",gamma=0.01;chi_att=2100;r_rep=12.5"));
 }
 
