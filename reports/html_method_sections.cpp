@@ -147,7 +147,7 @@ Html methods(const Comparison& c) {
                   "from the recording's "
                   "positions and velocities under its conditions (presence: {}, arena: {}{}{}). Parameters were searched by differential "
                   "evolution with refinement "
-                  "inside bounds ({} replicates per candidate, budget {}), maximising the entropy-weighted score of seven motion metrics "
+                  "inside bounds ({} replicates per candidate, budget {}), maximising the entropy-weighted score of {} "
                   "[1, 2]; final scores rest on "
                   "{} fresh replicates. Seed {}.",
                   models, c.version, c.data.frames, c.data.path, brief(c.data.individuals_per_frame, 3), brief(c.data.dt),

@@ -26,7 +26,7 @@ const std::array<Arrow, 8> kArrows{{
     {"fit", {"fit", "libswarm", "libeval", "libtrack"}},
     {"reports", {"reports", "fit", "libeval", "libtrack"}},
     {"cli", {"cli", "reports", "fit", "libswarm", "libeval", "libtrack"}},
-    {"bench", {"bench", "reports", "fit", "libswarm", "libeval", "libtrack"}},
+    {"bench", {"bench", "tests", "reports", "fit", "libswarm", "libeval", "libtrack"}},
     {"tests", {"tests", "cli", "reports", "fit", "libswarm", "libeval", "libtrack"}},
 }};
 

@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "reports/html_table.h"
-#include "sample.h"
+#include "tests/reports/sample.h"
 
 namespace swarmfit {
 namespace {
@@ -124,7 +124,7 @@ TEST(Report, EmptyComparisonStillMakesAPage) { EXPECT_THAT(report_html(Compariso
 
 TEST(Report, SyntheticDataAreLabelled) {
   Comparison c = sample_comparison();
-  EXPECT_THAT(markup_of(report_html(c)), Not(HasSubstr("synthetic")));
+  EXPECT_THAT(markup_of(report_html(c)), Not(HasSubstr("synthetic data")));
   c.data.synthetic = true;
   EXPECT_THAT(markup_of(report_html(c)), HasSubstr("class=\"badge\">synthetic data<"));
 }

@@ -11,7 +11,7 @@
 #include "libtrack/file.h"
 #include "reports/html.h"
 #include "reports/json.h"
-#include "sample.h"
+#include "tests/reports/sample.h"
 
 namespace swarmfit {
 namespace {

@@ -2,6 +2,7 @@
 // MATLAB files written by matio itself, in both versions, whole and damaged.
 #include <gmock/gmock.h>
 #include <matio.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -25,7 +26,7 @@ struct Variable {
 };
 
 std::string mat_file(const std::vector<Variable>& variables, mat_ft version, matio_compression compression = MAT_COMPRESSION_ZLIB) {
-  const auto path = (std::filesystem::temp_directory_path() / "swarmfit_mat_test.mat").string();
+  const auto path = (std::filesystem::temp_directory_path() / ("swarmfit_mat_test_" + std::to_string(getpid()) + ".mat")).string();
   mat_t* mat = Mat_CreateVer(path.c_str(), nullptr, version);
   for (auto v : variables) {
     matvar_t* var =

@@ -2,6 +2,7 @@
 #include "libtrack/write.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -110,7 +111,9 @@ TEST(WriteCsv, TheTextItself) {
 
 class Folder {
  public:
-  Folder() : path_(std::filesystem::temp_directory_path() / "swarmfit_write_test") { std::filesystem::create_directories(path_); }
+  Folder() : path_(std::filesystem::temp_directory_path() / ("swarmfit_write_test_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(path_);
+  }
   ~Folder() { std::filesystem::remove_all(path_); }
   std::string file(const std::string& name) const { return (path_ / name).string(); }
   long entries() const { return std::distance(std::filesystem::directory_iterator(path_), {}); }
