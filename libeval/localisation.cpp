@@ -150,6 +150,7 @@ Localisation estimate_localisation(const Tracks& tracks) {
 }
 
 Tracks with_error(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed) {
+  if (tracks.rows() == 0) return tracks;
   const Rng rng{seed};
   const auto n = static_cast<std::size_t>(tracks.rows());
   TrackColumns c;

@@ -231,6 +231,7 @@ TEST(ErrorShare, IsNotDecidedByAFewWildValues) {
 }
 
 TEST(ErrorShare, UndefinedMetricsAreNaN) {
+  for (const double s : error_share(Tracks(), {1, 1, 1}, 1)) EXPECT_TRUE(std::isnan(s));
   const auto share = error_share(tracks_of({{0, 0, {0, 0, 0}}, {0, 1, {1, 0, 0}}}), {1, 1, 1}, 1);
   for (const double s : share) EXPECT_TRUE(std::isnan(s));
 }
