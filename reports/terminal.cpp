@@ -77,13 +77,8 @@ std::vector<std::string> left_out(const Comparison& c, TextStyle style) {
   return out;
 }
 
-std::vector<std::string> on_bounds(const Comparison& c) {
-  std::vector<std::string> out;
-  for (const FitResult& r : c.models) {
-    const auto names = at_bounds(r);
-    if (!names.empty()) out.push_back(fmt::format("{}: {}", r.model, enumerate(names)));
-  }
-  return out;
+bool any_on_bounds(const Comparison& c) {
+  return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return !at_bounds(r).empty(); });
 }
 
 std::vector<std::string> failures(const Comparison& c) {
@@ -105,9 +100,9 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   const TextTable table = ranking_table(c, style);
   const std::string over = fmt::format("raw energy per metric (0 alike .. {} disjoint)", brief(worst_energy(c.binning)));
   out += std::string(table.column_start(3), ' ') + paint(over, Paint::dim, style) + '\n' + table.text();
+  if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
 
   out += bullets("In brackets: shown, but left out of the score", left_out(c, style), Paint::bold, style);
-  out += bullets("* ended on a bound of the search, so the ranking is conditional on the bounds", on_bounds(c), Paint::warning, style);
   out += bullets("Simulations that blew up (counted as the worst energy)", failures(c), Paint::warning, style);
   out += bullets("Before you believe this table", c.warnings, Paint::warning, style);
   return finish(std::move(out), style);

@@ -89,13 +89,8 @@ Headline headline(const Comparison& c) {
     const Lead l = lead(*scored[0], *scored[k]);
     if (l.difference == 0 || (l.known() && l.in_se() < kNoise)) together.push_back(scored[k]);
   }
-  Headline h = together.size() > 1 ? tie(c, together, lead(*together[0], *together[1]))
-                                   : ranked(c, *scored[0], *scored[1], lead(*scored[0], *scored[1]));
-  if (c.models.size() == 2)
-    h.detail +=
-        " With two models the entropy weights are equal on every metric that differs, so a score is the share of metrics won: "
-        "read the raw energies.";
-  return h;
+  return together.size() > 1 ? tie(c, together, lead(*together[0], *together[1]))
+                             : ranked(c, *scored[0], *scored[1], lead(*scored[0], *scored[1]));
 }
 
 bool counts(const Comparison& c, std::size_t metric) { return c.defined[metric] && c.observation.used[metric]; }

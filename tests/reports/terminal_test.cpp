@@ -34,7 +34,7 @@ TEST(RankingText, ShowsScoresEnergiesWeightsAndWarnings) {
   EXPECT_THAT(text, HasSubstr("more than half of its variance is localisation error"));
   EXPECT_THAT(text, HasSubstr("weight in score"));
   EXPECT_THAT(text, HasSubstr("mostly localisation error."));
-  EXPECT_THAT(text, HasSubstr("conditional on the bounds"));
+  EXPECT_THAT(text, HasSubstr("* ended on a bound of its search"));
   EXPECT_THAT(text, Not(HasSubstr("\033")));
 }
 
@@ -115,6 +115,13 @@ TEST(WeightsText, OneRowPerModel) {
 TEST(ListText, AlignsNames) {
   const std::string text = list_text({{"boids", "Flocking", {{"options", "rule=zonal|reynolds"}}}, {"bswarm", "Insects", {}}}, {});
   EXPECT_EQ(text, " boids   Flocking\n         options: rule=zonal|reynolds\n bswarm  Insects\n");
+}
+
+TEST(TextTable, ColumnsStandStraightInAsciiToo) {
+  TextTable table({Align::left, Align::left}, {.colour = false, .unicode = false});
+  table.row({"mm/s²", "x"});
+  table.row({"mm", "y"});
+  EXPECT_EQ(table.text(), " mm/s^2  x\n mm      y\n");
 }
 
 TEST(Wrapped, BreaksAtSpacesOnly) {

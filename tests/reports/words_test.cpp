@@ -52,10 +52,6 @@ TEST(Headline, ModelsWithoutScoreDoNotCount) {
   EXPECT_EQ(headline(Comparison{}).verdict, Verdict::none);
 }
 
-TEST(Headline, TwoModelsPointToTheRawEnergies) {
-  EXPECT_THAT(headline(sample_comparison({{"a", 0.9, 0.01, 1}, {"b", 0.1, 0.01, 2}})).detail, HasSubstr("read the raw energies"));
-}
-
 TEST(Units, OfMetricsAndDensities) {
   EXPECT_EQ(metric_unit(kSpeed, "mm"), "mm/s");
   EXPECT_EQ(metric_unit(kJerk, "mm"), "mm/s³");
