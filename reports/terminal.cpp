@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "reports/number.h"
 #include "reports/words.h"
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::size_t kWidth = 100;
 
-std::string finish(std::string text, TextStyle style) { return style.unicode ? text : ascii(text); }
+std::string finish(std::string text, TextStyle style) { return style.unicode ? std::move(text) : ascii(text); }
 
 std::string metric_symbol(std::size_t m, TextStyle style) {
   return std::string(style.unicode ? kMetricInfo[m].symbol : kMetricInfo[m].key);
@@ -235,7 +236,8 @@ std::string list_text(const std::vector<ListEntry>& entries, TextStyle style) {
     out += ' ' + paint(entry.name, Paint::bold, style) + gap + wrapped(entry.summary, kWidth - indent.size(), indent) + '\n';
     for (const auto& [key, value] : entry.facts) {
       const std::string line = fmt::format("{}: {}", key, value);
-      out += indent + paint(wrapped(line, kWidth - indent.size(), indent + "  "), Paint::dim, style) + '\n';
+      out += indent;
+      out += paint(wrapped(line, kWidth - indent.size(), indent + "  "), Paint::dim, style) + '\n';
     }
   }
   return finish(std::move(out), style);
