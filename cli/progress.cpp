@@ -28,10 +28,10 @@ ProgressLine::~ProgressLine() {
 
 // The estimate reaches to the end of this model's pass: how many passes the weights need, nobody knows beforehand.
 std::string ProgressLine::text(const CompareProgress& now) const {
-  const double rate = static_cast<double>(now.evaluations) / std::max(1e-9, seconds(std::chrono::steady_clock::now() - start_));
-  const double left = static_cast<double>(std::max<std::int64_t>(0, now.planned - now.evaluations)) / rate;
-  return fmt::format("pass {}/{}  {} ({} of {})  {}/{} candidates, {:.0f}/s, at most {:.0f} s left for it  best {:.4f}", now.pass,
-                     now.passes, now.model, now.index + 1, now.models, now.evaluations, now.planned, rate, left, now.best);
+  const double rate = static_cast<double>(now.simulations) / std::max(1e-9, seconds(std::chrono::steady_clock::now() - start_));
+  const double left = static_cast<double>(std::max<std::int64_t>(0, now.planned - now.simulations)) / rate;
+  return fmt::format("pass {}/{}  {} ({} of {})  {}/{} simulations, {:.0f}/s, at most {:.0f} s left for it  best {:.4f}", now.pass,
+                     now.passes, now.model, now.index + 1, now.models, now.simulations, now.planned, rate, left, now.best);
 }
 
 void ProgressLine::show(const CompareProgress& now) {

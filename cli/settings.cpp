@@ -164,7 +164,7 @@ CompareOptions compare_options(const FitArguments& a) {
   o.conditions = condition_options(a);
   o.binning = binning(a.normalisation, a.bins);
   o.budget = budget_named(a.budget);
-  if (a.replicates > 0) o.budget.replicates = a.replicates;
+  if (a.replicates > 0) o.budget.search.replicates = a.replicates;
   o.seed = a.common.seed;
   o.max_evaluations = a.max_evaluations;
   o.error_limit = a.error_limit;

@@ -10,9 +10,14 @@
 namespace swarmfit {
 namespace {
 
-constexpr int kLeaders = 24;           // candidates judged again on fresh seeds
-constexpr double kLeadersApart = 0.1;  // in the unit cube: far enough that they do not share their luck
-constexpr int kLaterPassShare = 4;     // later passes start from the rescored archive, so they search and stall this many times sooner
+constexpr double kLeadersApart = 0.1;     // in the unit cube: far enough that they do not share their luck
+constexpr double kFinalistsApart = 0.02;  // near ones are all but the same model
+constexpr std::size_t kFinalists = 12;
+constexpr int kLaterPassShare = 4;  // later passes start from what is known, so they search and stall this many times sooner
+
+int generations(const SearchSize& size, int pass) { return std::max(1, size.generations / (pass == 1 ? 1 : kLaterPassShare)); }
+
+std::int64_t candidates(const SearchSize& size, int pass) { return std::int64_t{size.population} * generations(size, pass); }
 
 bool near_any(const Point& x, const std::vector<Evaluated>& chosen, double apart) {
   return std::any_of(chosen.begin(), chosen.end(), [&](const Evaluated& e) { return (e.x - x).cwiseAbs().maxCoeff() < apart; });
@@ -37,36 +42,46 @@ ModelSearch::ModelSearch(std::size_t index, const ModelChoice& model, const Cond
       objective_(model, conditions, target),
       history_(history),
       rng_(Rng{options.seed}.derive(Stream::search, index)),
-      seeds_(replicate_seeds({options.seed}, Stream::replicate, options.budget.replicates)),
-      selection_seeds_(replicate_seeds({options.seed}, Stream::selection, options.budget.selection_replicates)),
+      search_(on_seeds(options, Stream::replicate, options.budget.search.replicates)),
+      selection_(on_seeds(options, Stream::selection, options.budget.selection.replicates)),
+      confirmation_(on_seeds(options, Stream::confirmation, options.budget.confirmation_replicates)),
       final_seeds_(replicate_seeds({options.seed}, Stream::final_seeds, options.budget.final_replicates)) {}
 
-void ModelSearch::pass(int number, const Weighting& weighting, const OnGeneration& on_generation) {
+ModelSearch::Round ModelSearch::on_seeds(const CompareOptions& options, Stream stream, int replicates) {
+  return {stream, replicate_seeds({options.seed}, stream, replicates), {}, {}};
+}
+
+void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& on_search) {
   if (space_.dimensions() > 0) {
-    search(number, weighting, on_generation);
-  } else if (archive_.empty()) {
-    keep(Point(), objective_.evaluate(space_.parameters(Point()), seeds_), number);
+    const auto &wide = options_.budget.search, &narrow = options_.budget.selection;
+    const auto before = evaluations_;
+    const Found found = explore(search_, wide, number, "search", weighting, [&](const GenerationReport& report) {
+      convergence_.push_back({number, before + report.evaluations, -report.best});
+      return on_search(report.evaluations * wide.replicates, -report.best);
+    });
+    stop_reason_ = to_string(found.stop);
+    convergence_.push_back({number, evaluations_, -leaders(search_, weighting, 1, 0.0).front().cost});
+    promote(search_, selection_, static_cast<std::size_t>(narrow.population), kLeadersApart, number, "select", weighting);
+    const auto searched = candidates(wide, number) * wide.replicates;
+    explore(selection_, narrow, number, "refine", weighting,
+            [&](const GenerationReport& report) { return on_search(searched + report.evaluations * narrow.replicates, -report.best); });
+    promote(selection_, confirmation_, kFinalists, kFinalistsApart, number, "confirm", weighting);
+  } else if (confirmation_.archive.empty()) {
+    keep(confirmation_, Point(), objective_.evaluate(space_.parameters(Point()), confirmation_.seeds), number, "confirm");
+    evaluations_ = 1;
     stop_reason_ = "nothing to search";
   }
-  judge(number, weighting);
-  if (space_.dimensions() > 0) polish(number, weighting);
   conclude(number, weighting);
 }
 
 std::int64_t ModelSearch::planned(int number) const {
-  const int generations = std::max(1, options_.budget.generations / (number == 1 ? 1 : kLaterPassShare));
-  return std::int64_t{options_.budget.population} * generations;
+  const auto& budget = options_.budget;
+  return candidates(budget.search, number) * budget.search.replicates + candidates(budget.selection, number) * budget.selection.replicates;
 }
 
-std::int64_t ModelSearch::left() const {
-  return options_.max_evaluations > 0 ? std::max<std::int64_t>(0, options_.max_evaluations - evaluations())
-                                      : std::numeric_limits<std::int64_t>::max();
-}
-
-std::vector<Evaluated> ModelSearch::rescored(const std::vector<Archived>& archive, const Weighting& weighting, std::size_t most,
-                                             double apart) {
+std::vector<Evaluated> ModelSearch::leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart) {
   std::vector<Evaluated> all;
-  for (const auto& a : archive) all.push_back({a.x, cost_of(a.raw, weighting)});
+  for (const auto& a : round.archive) all.push_back({a.x, cost_of(a.raw, weighting)});
   std::stable_sort(all.begin(), all.end(), [](const Evaluated& a, const Evaluated& b) { return a.cost < b.cost; });
   std::vector<Evaluated> chosen;
   for (const auto& candidate : all) {
@@ -76,37 +91,33 @@ std::vector<Evaluated> ModelSearch::rescored(const std::vector<Archived>& archiv
   return chosen;
 }
 
-void ModelSearch::record(const Point& x, const Outcome& outcome, int pass, const char* phase) {
+void ModelSearch::keep(Round& round, const Point& x, const Outcome& outcome, int pass, const char* phase) {
   const auto values = space_.parameters(x);
   HistoryRow row{index_, pass, phase, {}, outcome.raw, outcome.failed};
   for (const auto p : space_.searched()) row.x.push_back(values[p]);
   history_.push_back(std::move(row));
+  round.archive.push_back({x, outcome.raw});
   simulations_ += static_cast<std::int64_t>(outcome.replicates.size());
   failed_ += outcome.failed;
 }
 
-void ModelSearch::keep(const Point& x, const Outcome& outcome, int pass) {
-  record(x, outcome, pass, "search");
-  archive_.push_back({x, outcome.raw});
-  ++evaluations_;
-}
-
 // Refinements run side by side and finish in any order; what was seen is kept in the order in which the search lists it.
-void ModelSearch::search(int number, const Weighting& weighting, const OnGeneration& on_generation) {
-  if (left() == 0) return;
+Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const char* phase, const Weighting& weighting,
+                           const OnGeneration& on_generation) {
   SearchOptions plan;
-  plan.genetic.population = options_.budget.population;
-  plan.genetic.generations = static_cast<int>(planned(number)) / options_.budget.population;
-  plan.genetic.stall = std::max(1, plan.genetic.stall / (number == 1 ? 1 : kLaterPassShare));
-  plan.genetic.max_evaluations = options_.max_evaluations > 0 ? left() : 0;
-  plan.refine.starts = options_.budget.refinements;
-  const auto before = evaluations();
+  plan.genetic.population = size.population;
+  plan.genetic.generations = generations(size, pass);
+  plan.genetic.stall = std::max(1, plan.genetic.stall / (pass == 1 ? 1 : kLaterPassShare));
+  if (options_.max_evaluations > 0) {
+    plan.genetic.max_evaluations = options_.max_evaluations - evaluations_;
+    if (plan.genetic.max_evaluations <= 0) return {{{}, {}, 0, 0, Stop::evaluations}, {}, 0};
+  }
   std::mutex lock;
   std::map<Point, Outcome, Lexicographic> seen;
   const auto cost = [&](const std::vector<Point>& points) {
     std::vector<std::vector<double>> candidates;
     for (const auto& x : points) candidates.push_back(space_.parameters(x));
-    auto outcomes = objective_.evaluate(candidates, seeds_);
+    auto outcomes = objective_.evaluate(candidates, round.seeds);
     std::vector<double> costs;
     const std::lock_guard guard(lock);
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -116,69 +127,36 @@ void ModelSearch::search(int number, const Weighting& weighting, const OnGenerat
     }
     return costs;
   };
-  const auto start = rescored(archive_, weighting, static_cast<std::size_t>(plan.genetic.population), 0.0);
-  const Found found = swarmfit::search(space_.dimensions(), cost, plan, rng_.derive(Stream::search, static_cast<std::uint64_t>(number)),
-                                       start, [&](const GenerationReport& report) {
-                                         convergence_.push_back({number, before + report.evaluations, -report.best});
-                                         return !on_generation || on_generation(report);
-                                       });
+  const auto start = leaders(round, weighting, round.archive.size(), 0.0);
+  Found found =
+      swarmfit::search(space_.dimensions(), cost, plan, rng_.derive(round.stream, static_cast<std::uint64_t>(pass)), start, on_generation);
   if (found.stop == Stop::interrupted) throw Interrupted{};
-  for (const auto& e : found.visited) keep(e.x, seen.at(e.x), number);
-  stop_reason_ = to_string(found.stop);
-  recommended_ = found.recommended.x;
-  convergence_.push_back({number, evaluations(), -rescored(archive_, weighting, 1, 0.0).front().cost});
+  for (const auto& e : found.visited) keep(round, e.x, seen.at(e.x), pass, phase);
+  evaluations_ += found.evaluations;
+  round.recommended = found.recommended.x;
+  return found;
 }
 
-// The best of a search are partly lucky with its few seeds: the leaders are simulated again on more, and fresh, ones.
-void ModelSearch::judge(int number, const Weighting& weighting) {
-  auto leaders = rescored(archive_, weighting, kLeaders, kLeadersApart);
-  if (recommended_.size() > 0) leaders.push_back({recommended_, 0});
-  std::erase_if(leaders, [this](const Evaluated& e) {
-    return std::any_of(judged_.begin(), judged_.end(), [&](const Archived& a) { return a.x.size() == 0 || same(a.x, e.x); });
+// The best on some seeds are partly lucky with them: they are simulated again on those of the next round.
+void ModelSearch::promote(const Round& from, Round& to, std::size_t most, double apart, int pass, const char* phase,
+                          const Weighting& weighting) {
+  auto chosen = leaders(from, weighting, most, apart);
+  if (from.recommended.size() > 0) chosen.push_back({from.recommended, 0});
+  std::erase_if(chosen, [&](const Evaluated& e) {
+    return std::any_of(to.archive.begin(), to.archive.end(), [&](const Archived& a) { return same(a.x, e.x); });
   });
   std::vector<std::vector<double>> candidates;
-  for (const auto& leader : leaders) candidates.push_back(space_.parameters(leader.x));
-  const auto outcomes = objective_.evaluate(candidates, selection_seeds_);
-  for (std::size_t k = 0; k < leaders.size(); ++k) {
-    record(leaders[k].x, outcomes[k], number, "select");
-    judged_.push_back({leaders[k].x, outcomes[k].raw});
-  }
+  for (const auto& leader : chosen) candidates.push_back(space_.parameters(leader.x));
+  const auto outcomes = objective_.evaluate(candidates, to.seeds);
+  for (std::size_t k = 0; k < chosen.size(); ++k) keep(to, chosen[k].x, outcomes[k], pass, phase);
 }
 
-// Nelder-Mead from the best few of the judged, on the same seeds. Starts run side by side and finish in any order; what they saw is kept in
-// an order of its own.
-void ModelSearch::polish(int number, const Weighting& weighting) {
-  RefineOptions plan;
-  plan.starts = options_.budget.refinements;
-  plan.evaluations = options_.budget.refine_evaluations / (number == 1 ? 1 : 2);
-  plan.evaluations = static_cast<int>(std::min<std::int64_t>(plan.evaluations, left() / plan.starts));
-  if (plan.evaluations == 0) return;
-  std::mutex lock;
-  std::map<Point, Outcome, Lexicographic> seen;
-  refine(
-      rescored(judged_, weighting, static_cast<std::size_t>(plan.starts), kLeadersApart),
-      [&](const Point& x) {
-        Outcome outcome = objective_.evaluate(space_.parameters(x), selection_seeds_);
-        const double cost = cost_of(outcome.raw, weighting);
-        outcome.distributions = {};
-        const std::lock_guard guard(lock);
-        seen.insert_or_assign(x, std::move(outcome));
-        return cost;
-      },
-      plan);
-  for (const auto& [x, outcome] : seen) {
-    record(x, outcome, number, "refine");
-    judged_.push_back({x, outcome.raw});
-    ++evaluations_;
-  }
-}
-
-// The winner has been chosen by its energies on the selection's seeds, so what is reported comes from seeds that had no part in that.
 void ModelSearch::conclude(int number, const Weighting& weighting) {
-  const Point best = rescored(judged_, weighting, 1, 0.0).front().x;
+  const Point best = leaders(confirmation_, weighting, 1, 0.0).front().x;
   if (!selected_.outcome.replicates.empty() && (best.size() == 0 || same(best, selected_.x))) return;
+  Round report = {Stream::final_seeds, final_seeds_, {}, {}};
   selected_ = {best, objective_.evaluate(space_.parameters(best), final_seeds_)};
-  record(best, selected_.outcome, number, "final");
+  keep(report, best, selected_.outcome, number, "final");
 }
 
 }  // namespace swarmfit

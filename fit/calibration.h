@@ -13,20 +13,24 @@ struct Selected {
   Outcome outcome;
 };
 
+// Told the simulations of this pass so far and the best score; returning false interrupts.
+using OnSearch = std::function<bool(std::int64_t simulations, double best)>;
+
 class ModelSearch {
  public:
   // All references must outlive the search. `index` is the model's place in the comparison.
   ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target,
               const CompareOptions& options, std::vector<HistoryRow>& history);
 
-  // One calibration pass: rescores the archive, searches, judges the leaders on fresh seeds, and refines the best of them.
-  void pass(int number, const Weighting& weighting, const OnGeneration& on_generation);
+  // One calibration pass, in rounds of fewer candidates and more replicates: rescores what is known, searches, searches again about the
+  // leaders, confirms the best of those, and reports the winner on seeds that had no part in choosing it.
+  void pass(int number, const Weighting& weighting, const OnSearch& on_search);
 
-  std::int64_t planned(int number) const;  // candidates of the search of a pass
+  std::int64_t planned(int number) const;  // simulations of a pass, at most
   const Selected& selected() const { return selected_; }
   const SearchSpace& space() const { return space_; }
   const Objective& objective() const { return objective_; }
-  std::int64_t evaluations() const { return evaluations_; }  // of the search and the refinement
+  std::int64_t evaluations() const { return evaluations_; }  // of both searches
   std::int64_t simulations() const { return simulations_; }
   std::int64_t failed() const { return failed_; }
   const std::string& stop_reason() const { return stop_reason_; }
@@ -38,15 +42,21 @@ class ModelSearch {
     Point x;
     Energies raw;
   };
+  // Candidates simulated on the same seeds, so that their energies can be compared, now and under later weightings.
+  struct Round {
+    Stream stream;
+    std::vector<Rng> seeds;
+    std::vector<Archived> archive;
+    Point recommended;  // by the last search's response surface; empty before
+  };
+  static Round on_seeds(const CompareOptions& options, Stream stream, int replicates);
   // The best of an archive under these weights, no two nearer than `apart` in the unit cube.
-  static std::vector<Evaluated> rescored(const std::vector<Archived>& archive, const Weighting& weighting, std::size_t most, double apart);
-  void record(const Point& x, const Outcome& outcome, int pass, const char* phase);  // in the history
-  void keep(const Point& x, const Outcome& outcome, int pass);                       // and in the archive
-  void search(int number, const Weighting& weighting, const OnGeneration& on_generation);
-  void judge(int number, const Weighting& weighting);
-  void polish(int number, const Weighting& weighting);
+  static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart);
+  void keep(Round& round, const Point& x, const Outcome& outcome, int pass, const char* phase);
+  Found explore(Round& round, const SearchSize& size, int pass, const char* phase, const Weighting& weighting,
+                const OnGeneration& on_generation);
+  void promote(const Round& from, Round& to, std::size_t most, double apart, int pass, const char* phase, const Weighting& weighting);
   void conclude(int number, const Weighting& weighting);
-  std::int64_t left() const;  // evaluations that max_evaluations still allows
 
   std::size_t index_;
   const CompareOptions& options_;
@@ -54,10 +64,8 @@ class ModelSearch {
   Objective objective_;
   std::vector<HistoryRow>& history_;
   Rng rng_;
-  std::vector<Rng> seeds_, selection_seeds_, final_seeds_;
-  std::vector<Archived> archive_;  // on the search's seeds
-  std::vector<Archived> judged_;   // on the selection's seeds
-  Point recommended_;              // by the last search's response surface; empty before
+  Round search_, selection_, confirmation_;
+  std::vector<Rng> final_seeds_;
   Selected selected_;
   std::int64_t evaluations_ = 0, simulations_ = 0, failed_ = 0;
   std::string stop_reason_;

@@ -15,10 +15,10 @@ namespace swarmfit {
 namespace {
 
 const std::array<Budget, 3> kBudgets{{
-    // name     population generations replicates selection refinements each final passes
-    {"quick", 24, 20, 2, 6, 1, 24, 8, 3},
-    {"default", 40, 60, 3, 12, 2, 80, 12, 6},
-    {"thorough", 80, 120, 5, 24, 4, 80, 24, 10},
+    // name      search          selection     confirmation, final, passes
+    {"quick", {24, 20, 2}, {10, 10, 6}, 8, 8, 3},
+    {"default", {40, 60, 3}, {16, 20, 12}, 24, 12, 6},
+    {"thorough", {80, 120, 5}, {40, 30, 24}, 48, 24, 10},
 }};
 
 Eigen::MatrixXd energy_table(const std::vector<ModelSearch>& searches) {
@@ -65,7 +65,8 @@ class Calibration {
     const int passes = searches_.size() < 2 ? 1 : options_.budget.passes;
     for (int pass = 1; pass <= passes; ++pass) {
       for (std::size_t m = 0; m < searches_.size(); ++m)
-        searches_[m].pass(pass, weighting_, [&](const GenerationReport& report) { return tell(m, pass, passes, report); });
+        searches_[m].pass(pass, weighting_,
+                          [&](std::int64_t simulations, double best) { return tell(m, pass, passes, simulations, best); });
       if (searches_.size() < 2) break;
       const Weighting next = entropy_weights(energy_table(searches_), used_);
       result.weight_history.push_back(weight_step(pass, next, weighting_));
@@ -81,9 +82,9 @@ class Calibration {
   const Weighting& weighting() const { return weighting_; }
 
  private:
-  bool tell(std::size_t m, int pass, int passes, const GenerationReport& report) const {
-    return !on_progress_ || on_progress_({options_.models[m].name, m, searches_.size(), pass, passes, report.generation, report.evaluations,
-                                          searches_[m].planned(pass), -report.best});
+  bool tell(std::size_t m, int pass, int passes, std::int64_t simulations, double best) const {
+    return !on_progress_ ||
+           on_progress_({options_.models[m].name, m, searches_.size(), pass, passes, simulations, searches_[m].planned(pass), best});
   }
 
   const CompareOptions& options_;

@@ -13,17 +13,6 @@
 
 namespace swarmfit {
 
-// How much searching is done per model and calibration pass.
-struct Budget {
-  std::string name;
-  int population, generations;  // their product is the number of candidates of a model's first pass
-  int replicates;               // simulations per candidate
-  int selection_replicates;     // of the leaders, on fresh seeds
-  int refinements;              // leaders refined by Nelder-Mead on those seeds
-  int refine_evaluations;       // each
-  int final_replicates;         // of the winner, on seeds that had no part in choosing it
-  int passes;                   // of the calibration loop, at most
-};
 // "quick", "default" or "thorough"; throws InputError naming them.
 Budget budget_named(const std::string& name);
 std::span<const Budget> budgets();
@@ -44,8 +33,7 @@ struct CompareProgress {
   std::string model;
   std::size_t index, models;  // index from 0
   int pass, passes;
-  int generation;
-  std::int64_t evaluations, planned;  // candidates of this model in this pass; the plan may be cut short
+  std::int64_t simulations, planned;  // of this model in this pass; the plan may be cut short
   double best;                        // score with the pass's weights
 };
 // Called after every generation; returning false interrupts.

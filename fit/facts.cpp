@@ -97,12 +97,8 @@ void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, con
   const auto& meta = recording.meta();
   r.command = options.models.size() > 1 ? "compare" : "fit";
   r.seed = options.seed;
-  r.budget = options.budget.name;
+  r.budget = options.budget;
   r.protocol = "default";
-  r.population = options.budget.population;
-  r.generations = options.budget.generations;
-  r.replicates = options.budget.replicates;
-  r.final_replicates = options.budget.final_replicates;
   DataFacts& d = r.data;
   d.path = meta.from.path;
   d.sha256 = meta.from.sha256;

@@ -12,6 +12,21 @@
 
 namespace swarmfit {
 
+// Candidates of one search, and on how many seeds each is simulated.
+struct SearchSize {
+  int population, generations;  // their product is the number of candidates
+  int replicates;
+};
+
+// How much searching is done per model and calibration pass (docs/search.md).
+struct Budget {
+  std::string name;
+  SearchSize search;            // everywhere
+  SearchSize selection;         // again, about the leaders, on fresh and more seeds
+  int confirmation_replicates;  // the best of those, on seeds that favour none of them
+  int final_replicates;         // the winner, on seeds that had no part in choosing it
+  int passes;                   // of the calibration loop, at most
+};
 // A recording in a few numbers, as stored with results.
 struct DataFacts {
   std::string path, sha256, format, columns, unit;
@@ -86,7 +101,7 @@ struct FitResult {
 struct HistoryRow {
   std::size_t model;  // index into the order in which models were named
   int pass;
-  std::string phase;      // "search"; "select" and "refine": on the selection's seeds; "final": on seeds of its own
+  std::string phase;      // "search"; "select" and "refine", on seeds of their own; "confirm" and "final", each on others
   std::vector<double> x;  // searched parameters, physical units, in table order
   Energies raw{};
   int failed = 0;  // replicates that blew up
@@ -103,8 +118,8 @@ struct Comparison {
   std::string command;  // "compare" or "fit"
   std::string version;
   std::uint64_t seed = 0;
-  std::string budget, protocol;
-  int population = 0, generations = 0, replicates = 0, final_replicates = 0;
+  std::string protocol;
+  Budget budget{};
   DataFacts data;
   ObservationFacts observation;
   Binning binning;

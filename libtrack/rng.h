@@ -24,7 +24,8 @@ enum class Stream : std::uint32_t {
   final_seeds = 9,   // fresh seeds of the reported energies
   response = 10,     // turning angle towards or away from a stimulus
   probe = 11,        // random candidates of diagnostics
-  selection = 12,    // fresh seeds on which leaders are judged and refined
+  selection = 12,    // seeds of the search about the leaders
+  confirmation = 13  // seeds on which the last few are compared
 };
 
 namespace philox {

@@ -130,7 +130,7 @@ std::map<std::string, std::string, std::less<>> page_values(const Comparison& c)
           {"facts", sections::data_facts(c).text},
           {"warnings", sections::warnings(c).text},
           {"ranking", sections::ranking(c).text},
-          {"final_replicates", std::to_string(c.final_replicates)},
+          {"final_replicates", std::to_string(c.budget.final_replicates)},
           {"worst", brief(worst_energy(c.binning))},
           {"legend", sections::legend(c).text},
           {"pdf_figures", sections::pdf_figures(c).text},

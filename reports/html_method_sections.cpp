@@ -142,17 +142,17 @@ Html methods(const Comparison& c) {
   const std::string models = fmt::format("{} model{}", c.models.size(), c.models.size() == 1 ? " was" : "s were");
   const std::string error = c.observation.error_source == "none" ? "" : fmt::format(", localisation error ({})", sigma_text(c));
   const std::string smooth = c.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.observation.smoothing)) : "";
-  return escaped(
-      fmt::format("{} fitted with swarmfit {} to {} frames of {} ({} individuals per frame, frame interval {} s{}). Simulations started "
-                  "from the recording's "
-                  "positions and velocities under its conditions (presence: {}, arena: {}{}{}). Parameters were searched by differential "
-                  "evolution with refinement "
-                  "inside bounds ({} replicates per candidate, budget {}), maximising the entropy-weighted score of {} "
-                  "[1, 2]; final scores rest on "
-                  "{} fresh replicates. Seed {}.",
-                  models, c.version, c.data.frames, c.data.path, brief(c.data.individuals_per_frame, 3), brief(c.data.dt),
-                  c.data.synthetic ? ", synthetic" : "", c.observation.presence, c.observation.arena, error, smooth, c.replicates, c.budget,
-                  metrics_text(c), c.final_replicates, c.seed));
+  return escaped(fmt::format(
+      "{} fitted with swarmfit {} to {} frames of {} ({} individuals per frame, frame interval {} s{}). Simulations started "
+      "from the recording's "
+      "positions and velocities under its conditions (presence: {}, arena: {}{}{}). Parameters were searched by differential "
+      "evolution with refinement "
+      "inside bounds ({} replicates per candidate, budget {}), maximising the entropy-weighted score of {} "
+      "[1, 2]; the leaders were searched again with {} replicates and the best of them compared on {} others; final scores "
+      "rest on {} fresh replicates. Seed {}.",
+      models, c.version, c.data.frames, c.data.path, brief(c.data.individuals_per_frame, 3), brief(c.data.dt),
+      c.data.synthetic ? ", synthetic" : "", c.observation.presence, c.observation.arena, error, smooth, c.budget.search.replicates,
+      c.budget.name, metrics_text(c), c.budget.selection.replicates, c.budget.confirmation_replicates, c.budget.final_replicates, c.seed));
 }
 
 Html model_references(const Comparison& c) {
@@ -166,12 +166,15 @@ Html model_references(const Comparison& c) {
   return out;
 }
 
+std::string size_text(const SearchSize& s) { return fmt::format("{} × {} on {} replicates", s.population, s.generations, s.replicates); }
+
 Html provenance(const Comparison& c) {
   Html out = fact("version", c.version);
   out += fact("seed", std::to_string(c.seed));
   out += fact("protocol", c.protocol);
-  out += fact("budget", fmt::format("{}: population {}, generations {}, replicates {}, final {}", c.budget, c.population, c.generations,
-                                    c.replicates, c.final_replicates));
+  out += fact("budget", fmt::format("{}: search {}, selection {}, confirmation on {}, report on {} replicates", c.budget.name,
+                                    size_text(c.budget.search), size_text(c.budget.selection), c.budget.confirmation_replicates,
+                                    c.budget.final_replicates));
   out += fact("read as", c.data.format);
   out += fact("columns", c.data.columns);
   out += fact("SHA-256 of the recording", c.data.sha256, true);

@@ -73,6 +73,10 @@ Json data(const DataFacts& d) {
           {"notes", d.notes}};
 }
 
+Json search_size(const SearchSize& s) {
+  return {{"population", s.population}, {"generations", s.generations}, {"replicates", s.replicates}};
+}
+
 Json observation(const ObservationFacts& o) {
   return {{"error_source", o.error_source}, {"sigma", array(o.sigma)},         {"white", o.white},
           {"smoothing", o.smoothing},       {"velocity", o.velocity},          {"error_share", per_metric(o.error_share)},
@@ -180,11 +184,12 @@ std::string to_json(const Comparison& c) {
                {"seed", c.seed},
                {"protocol", c.protocol},
                {"budget",
-                {{"name", c.budget},
-                 {"population", c.population},
-                 {"generations", c.generations},
-                 {"replicates", c.replicates},
-                 {"final_replicates", c.final_replicates}}},
+                {{"name", c.budget.name},
+                 {"search", search_size(c.budget.search)},
+                 {"selection", search_size(c.budget.selection)},
+                 {"confirmation_replicates", c.budget.confirmation_replicates},
+                 {"final_replicates", c.budget.final_replicates},
+                 {"passes", c.budget.passes}}},
                {"presence", c.observation.presence},
                {"arena", c.observation.arena},
                {"unseen_individuals", c.observation.unseen},

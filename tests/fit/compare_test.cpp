@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include <cmath>
+#include <map>
 
 #include "fit/objective.h"
 #include "libtrack/error.h"
@@ -19,7 +20,7 @@ CompareOptions tiny(std::vector<std::string> names, std::uint64_t seed = 1) {
   CompareOptions o;
   for (const auto& name : names) o.models.push_back(parse_model(name));
   o.binning = Binning::standard(Normalisation::reference);
-  o.budget = {"tiny", 8, 6, 2, 3, 2, 5, 3, 3};
+  o.budget = {"tiny", {8, 6, 2}, {4, 3, 3}, 4, 3, 3};
   o.seed = seed;
   return o;
 }
@@ -108,14 +109,18 @@ TEST(Compare, PlantedModelWins) {
 TEST(Compare, HistoryHoldsEveryEvaluationOnce) {
   const auto options = tiny({"bswarm", "boids"});
   const Comparison result = compare(test::planted_swarm(4), options);
+  const auto& budget = options.budget;
+  const std::map<std::string, int> replicates = {{"search", budget.search.replicates},
+                                                 {"select", budget.selection.replicates},
+                                                 {"refine", budget.selection.replicates},
+                                                 {"confirm", budget.confirmation_replicates},
+                                                 {"final", budget.final_replicates}};
   for (std::size_t m = 0; m < 2; ++m) {
     std::int64_t searched = 0, simulations = 0;
     for (const auto& row : result.history) {
       if (row.model != m) continue;
       searched += row.phase == "search" || row.phase == "refine";
-      simulations += row.phase == "search"  ? options.budget.replicates
-                     : row.phase == "final" ? options.budget.final_replicates
-                                            : options.budget.selection_replicates;
+      simulations += replicates.at(row.phase);
     }
     for (const auto& fit : result.models) {
       if (fit.model != result.named[m]) continue;
@@ -123,6 +128,25 @@ TEST(Compare, HistoryHoldsEveryEvaluationOnce) {
       EXPECT_EQ(fit.simulations, simulations);
     }
   }
+}
+
+TEST(Compare, WinnerIsTheBestOfTheConfirmed) {
+  const auto options = tiny({"bswarm"});
+  const Comparison result = compare(test::planted_swarm(4), options);
+  const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
+  const HistoryRow* best = nullptr;
+  const HistoryRow* reported = nullptr;
+  double least = 1e9;
+  for (const auto& row : result.history) {
+    double sum = 0;
+    for (std::size_t j = 0; j < kMetrics; ++j) sum += used[j] ? row.raw[j] : 0;
+    if (row.phase == "confirm" && sum < least) least = sum, best = &row;
+    if (row.phase == "final") reported = &row;
+  }
+  ASSERT_NE(best, nullptr);
+  ASSERT_NE(reported, nullptr);
+  EXPECT_EQ(reported->x, best->x);
+  EXPECT_NE(reported->raw, best->raw) << "reported on the seeds it was chosen by";
 }
 
 TEST(Compare, HardLimitOfEvaluationsIsKept) {

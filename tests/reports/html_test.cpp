@@ -88,7 +88,7 @@ TEST(Report, ScriptsEndWhereTheyShould) {
 
 TEST(Report, HostileTextIsShownAndNeverRuns) {
   Comparison c = sample_comparison({{kHostile, 0.9, NAN, 1.1}, {"boids", NAN, NAN, 1.3}});
-  c.data.path = c.data.unit = c.data.sha256 = c.data.columns = c.version = c.budget = kHostile;
+  c.data.path = c.data.unit = c.data.sha256 = c.data.columns = c.version = c.budget.name = kHostile;
   c.warnings = {kHostile};
   c.observation.why_not.fill(kHostile);
   c.models[0].citation = c.models[0].summary = c.models[0].stop_reason = kHostile;

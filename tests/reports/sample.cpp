@@ -87,12 +87,8 @@ void add_facts(Comparison& c) {
   c.command = "compare";
   c.version = "0.1.0";
   c.seed = 18446744073709551615ULL;
-  c.budget = "default";
+  c.budget = {"default", {40, 60, 3}, {16, 20, 12}, 24, 10, 6};
   c.protocol = "reference";
-  c.population = 40;
-  c.generations = 60;
-  c.replicates = 3;
-  c.final_replicates = 10;
   c.data = {"swarm.txt", std::string(64, 'a'),
             "delimited", "id,x,y,z,t",
             "mm",        false,
