@@ -12,7 +12,6 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kOutlier = 10;                         // robust standard deviations: beyond is an identity jump, not camera error
 constexpr double kNormalQuartile = 0.6744897501960817;  // median |z| of a standard normal
 constexpr int kLowest = 2, kHighest = 8;                // orders of difference looked at
 constexpr Index kFewest = 100;                          // differences that a level must rest on
@@ -57,13 +56,10 @@ Level level(const Tracks& tracks, Index axis, int differences, int sums = 0) {
   for (double& value : size) value = std::abs(value);
   const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
   std::nth_element(size.begin(), middle, size.end());
-  const double limit = *middle > 0 ? kOutlier * *middle / kNormalQuartile : std::numeric_limits<double>::infinity();
-  double squares = 0, norm = 0;
-  Index kept = 0;
-  for (const double value : size)
-    if (value < limit) squares += value * value, ++kept;
+  double norm = 0;
   for (const double tap : c) norm += tap * tap;
-  return {squares / static_cast<double>(kept) / norm, kept};
+  const double sd = *middle / kNormalQuartile;
+  return {sd * sd / norm, static_cast<Index>(size.size())};
 }
 
 // Standard deviation of rounding to the decimals that the numbers of this axis are written with; 0 if they have more than nine.

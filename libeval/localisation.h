@@ -10,8 +10,11 @@ namespace swarmfit {
 //
 // White error of variance σ² gives the m-th difference of positions the variance C(2m, m) σ²; smooth motion gives it ever less as m grows.
 // So Var(Δ^m x) / C(2m, m) falls with m until it levels off at σ² (the variate difference method: Anderson 1929, Tintner 1940). Real
-// accelerations that change from frame to frame level off too, so sigma is an upper bound. Differences beyond 10 robust standard deviations
-// (identity jumps) are left out.
+// accelerations that change from frame to frame level off too, so sigma is an upper bound.
+//
+// Variances are squared medians of |Δ^m x| / 0.6745: sigma is that of a normal error with the recording's bulk. Identity jumps and wild
+// detections do not count, and tails heavier than the normal's are not described: on recordings that have them (the kurtosis of second
+// differences is far above 3) a root mean square gives a sigma half as large again, with which no simulation looks like the recording.
 //
 // Smoothed positions do not level off, or level off at a wrong height; `white` is false then, and sigma only tells what smoothing left
 // over.
@@ -20,7 +23,7 @@ struct Localisation {
   Index samples = 0;                              // differences it rests on, all axes; 0: too few unbroken stretches
   bool white = false;             // level at rising orders, flat over the upper third of the spectrum, and not the file's last digit
   bool rounding = false;          // sigma is no more than the rounding of the numbers in the file
-  double acceleration_share = 0;  // share of the mean squared acceleration that this error explains, 0..1
+  double acceleration_share = 0;  // share of the squared median acceleration that this error explains, 0..1
   double jerk_share = 0;          // likewise for the jerk
 };
 Localisation estimate_localisation(const Tracks& tracks);

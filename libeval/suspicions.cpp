@@ -157,7 +157,7 @@ Found measurement_error(const Tracks& tracks, const Summary& s) {
   if (l.samples == 0 || !(l.acceleration_share > 0.5 || l.jerk_share > 0.5) || !(l.white || l.rounding)) return {};
   return Suspicion{
       "measurement error",
-      fmt::format("{} of {} explains {} of the mean squared acceleration and {} of the mean squared jerk: these mostly measure "
+      fmt::format("{} of {} explains {} of the squared median acceleration and {} of the squared median jerk: these mostly measure "
                   "the {}; simulate the error too (--obs-noise estimate) or compare at longer time steps.",
                   l.rounding ? "Rounding of the positions" : "A localisation error", sigma_text(tracks, l), percent(l.acceleration_share),
                   percent(l.jerk_share), l.rounding ? "file's last digit" : "camera"),
