@@ -9,6 +9,7 @@
 
 #include "fit/calibration.h"
 #include "fit/facts.h"
+#include "fit/sensitivity.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -193,6 +194,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.weights = per_metric(calibration.weighting().weights);
   result.p1 = per_metric(calibration.weighting().p1);
   result.p2 = per_metric(calibration.weighting().p2);
+  fill_sensitivity(result);
   fill_facts(result, recording, conditions, target, options);
   result.warnings = warnings_for(result);
   return result;

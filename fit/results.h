@@ -70,6 +70,12 @@ struct ConvergencePoint {
   double best;               // best score so far, with the weights of that pass
 };
 
+// A model's score when the weight of one metric is dropped or doubled, and its rank when it is dropped.
+struct Sensitivity {
+  PerMetric<double> without{}, doubled{};
+  PerMetric<int> rank_without{};
+};
+
 // Everything about one model in a comparison (or the only one of a fit).
 struct FitResult {
   std::string model;  // canonical name with settings: "bswarm[noise=white]"
@@ -83,8 +89,9 @@ struct FitResult {
   Energies raw_se{};                           // standard errors of the mean of single replicates
   Energies energies{};                         // (raw - p1)/p2, 0 where p2 = 0
   Energies half_step_energies{};               // raw energies of the same parameters at half the time step, same number of replicates
-  std::vector<Energies> replicate_energies;    // raw, one per final replicate
-  PerMetric<Distribution> distributions{};     // pooled final replicates, on the recording's axes
+  Sensitivity sensitivity;
+  std::vector<Energies> replicate_energies;                        // raw, one per final replicate
+  PerMetric<Distribution> distributions{};                         // pooled final replicates, on the recording's axes
   PerMetric<double> mean_ratio{}, sd_ratio{}, outside_fraction{};  // simulation / recording
   double extent = 0, spacing = 0, speed = 0;                       // of the simulated group, as in DataFacts
   std::int64_t evaluations = 0;                                    // candidates simulated

@@ -9,6 +9,7 @@
 #include "libtrack/file.h"
 #include "reports/html.h"
 #include "reports/json.h"
+#include "reports/paper_tables.h"
 #include "reports/tables.h"
 
 namespace swarmfit {
@@ -53,6 +54,10 @@ void write_run(const std::string& dir, const Comparison& c) {
   std::error_code no_such_file;
   fs::remove(root / "results.json", no_such_file);
   for (const NamedTable& t : result_tables(c)) write(tables / t.name, t.csv);
+  for (const PaperTable& t : paper_tables(c)) {
+    write(tables / (t.name + ".md"), to_markdown(t));
+    write(tables / (t.name + ".tex"), to_latex(t));
+  }
   write(root / "history.csv", history_csv(c));
   write(root / "report.html", report_html(c));
   write(root / "results.json", to_json(c));

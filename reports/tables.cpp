@@ -112,6 +112,18 @@ std::string parameters(const Comparison& c) {
   return csv.take();
 }
 
+std::string sensitivity(const Comparison& c) {
+  Csv csv = with_header({"model", "metric", "weight", "score", "score_without", "rank", "rank_without", "score_doubled"});
+  for (const FitResult& r : c.models) {
+    for (std::size_t m = 0; m < kMetrics; ++m) {
+      const Sensitivity& s = r.sensitivity;
+      csv.field(r.model).field(kMetricInfo[m].key).field(c.weights[m]).field(r.score).field(s.without[m]);
+      csv.field(rank_text(r.rank)).field(rank_text(s.rank_without[m])).field(s.doubled[m]).end();
+    }
+  }
+  return csv.take();
+}
+
 std::string pdfs(const Comparison& c) {
   Csv csv;
   csv.fields({"metric", "unit", "centre", "recording"});
@@ -166,7 +178,7 @@ std::vector<double> physical_density(const Histogram& histogram, double width) {
 std::vector<NamedTable> result_tables(const Comparison& c) {
   return {{"ranking.csv", ranking(c)}, {"energies.csv", energies(c)},           {"raw_energies.csv", raw_energies(c)},
           {"weights.csv", weights(c)}, {"normalisation.csv", normalisation(c)}, {"parameters.csv", parameters(c)},
-          {"pdfs.csv", pdfs(c)},       {"convergence.csv", convergence(c)}};
+          {"pdfs.csv", pdfs(c)},       {"convergence.csv", convergence(c)},     {"sensitivity.csv", sensitivity(c)}};
 }
 
 std::string history_csv(const Comparison& c) {

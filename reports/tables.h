@@ -24,6 +24,7 @@ struct NamedTable {
 //   normalisation.csv  p1 and p2 per metric
 //   parameters.csv     one row per model and parameter, physical units
 //   pdfs.csv           one row per metric and bin: centre in physical units, density of the recording and of every model, per unit
+//   sensitivity.csv    one row per model and metric: score and rank when its weight is dropped, score when it is doubled
 //   convergence.csv    best score so far against candidates simulated
 std::vector<NamedTable> result_tables(const Comparison&);
 

@@ -11,13 +11,15 @@
 #include "libtrack/file.h"
 #include "reports/html.h"
 #include "reports/json.h"
+#include "reports/paper_tables.h"
+#include "reports/tables.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::ElementsAre;
+using testing::UnorderedElementsAreArray;
 
 class RunDirectory : public testing::Test {
  protected:
@@ -42,9 +44,11 @@ class RunDirectory : public testing::Test {
 TEST_F(RunDirectory, HoldsEverythingAndNoLeftovers) {
   const Comparison c = sample_comparison();
   write_run(dir("new/run"), c);
-  EXPECT_THAT(files(dir("new/run")), ElementsAre("config.toml", "history.csv", "report.html", "results.json", "tables/convergence.csv",
-                                                 "tables/energies.csv", "tables/normalisation.csv", "tables/parameters.csv",
-                                                 "tables/pdfs.csv", "tables/ranking.csv", "tables/raw_energies.csv", "tables/weights.csv"));
+  std::vector<std::string> expected = {"config.toml", "history.csv", "report.html", "results.json"};
+  for (const NamedTable& t : result_tables(c)) expected.push_back("tables/" + t.name);
+  for (const PaperTable& t : paper_tables(c))
+    for (const char* extension : {".md", ".tex"}) expected.push_back("tables/" + t.name + extension);
+  EXPECT_THAT(files(dir("new/run")), UnorderedElementsAreArray(expected));
   EXPECT_EQ(read_file(dir("new/run") + "/results.json"), to_json(c));
   EXPECT_EQ(read_file(dir("new/run") + "/report.html"), report_html(c));
 }
@@ -70,7 +74,7 @@ TEST_F(RunDirectory, RefusesAFolderOfSomethingElse) {
   EXPECT_THROW(write_run(dir(), sample_comparison()), InputError);
   std::ofstream(dir() + "/config.toml") << "# A config of another program\n";
   EXPECT_THROW(check_run_directory(dir()), InputError);
-  EXPECT_THAT(files(dir()), ElementsAre("config.toml", "thesis.tex"));
+  EXPECT_THAT(files(dir()), testing::ElementsAre("config.toml", "thesis.tex"));
 }
 
 TEST_F(RunDirectory, RefusesAFile) {

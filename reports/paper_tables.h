@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Tables of a comparison as a supplement prints them: rounded, in Markdown and in LaTeX (booktabs).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/results.h"
+#include "reports/values.h"
+
+namespace swarmfit {
+
+// Cells are plain UTF-8 text; the first column is left-aligned, the others right-aligned.
+struct PaperTable {
+  std::string name;     // "ranking": the file's name without extension
+  std::string caption;  // one or two sentences that make it readable alone
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;  // each as long as head
+};
+
+// ranking, energies, weights, parameters, sensitivity: the same numbers as the CSV tables, in the shape of Ren et al. 2016, Tables S1-S20.
+std::vector<PaperTable> paper_tables(const Comparison&);
+
+std::string to_markdown(const PaperTable&);
+// A table environment; needs \usepackage{booktabs}. Text of any origin is shown as text.
+std::string to_latex(const PaperTable&);
+
+// Text with LaTeX's special characters escaped and Greek letters, signs and superscripts as commands; control characters become "?".
+std::string latex_text(std::string_view utf8);
+
+}  // namespace swarmfit

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "reports/paper_tables.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/reports/sample.h"
+
+namespace swarmfit {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+PaperTable named(const std::string& name) {
+  for (const PaperTable& t : paper_tables(sample_comparison()))
+    if (t.name == name) return t;
+  ADD_FAILURE() << "no table " << name;
+  return {};
+}
+
+TEST(PaperTables, EveryRowIsAsLongAsItsHead) {
+  for (const PaperTable& t : paper_tables(sample_comparison())) {
+    EXPECT_FALSE(t.rows.empty()) << t.name;
+    for (const auto& row : t.rows) EXPECT_EQ(row.size(), t.head.size()) << t.name << ": " << row.front();
+  }
+}
+
+TEST(PaperTables, EnergiesAreModelsByMetricsWithTheirNormalisation) {
+  const PaperTable t = named("energies");
+  ASSERT_EQ(t.rows.size(), 5u + 2);
+  EXPECT_EQ(t.head.size(), 1u + kMetrics);
+  EXPECT_EQ(t.rows[0][0], "bswarm");
+  EXPECT_THAT(t.rows[0][1], HasSubstr(" ± "));
+  EXPECT_EQ(t.rows[5][0], "p1");
+  EXPECT_EQ(t.head[4], "α (not scored)");
+}
+
+TEST(PaperTables, OnlyFittedParametersAreListed) {
+  const PaperTable t = named("parameters");
+  EXPECT_EQ(t.rows.size(), 5u * 3);
+  EXPECT_EQ(t.rows[1][2], "2310 *") << "the mark of a bound";
+}
+
+TEST(PaperTables, MarkdownByHand) {
+  const PaperTable t{"x", "A *caption*.", {"model", "v"}, {{"a[b|c]", "1 ± 2"}}};
+  EXPECT_EQ(to_markdown(t), "| model | v |\n|---|---:|\n| a\\[b\\|c\\] | 1 ± 2 |\n\nA \\*caption\\*.\n");
+}
+
+TEST(PaperTables, LatexByHand) {
+  const PaperTable t{"x", "50 %.", {"model", "ω"}, {{"a_b", "1 ± 2"}}};
+  EXPECT_EQ(to_latex(t),
+            "% needs \\usepackage{booktabs}\n\\begin{table}\n  \\caption{50 \\%.}\n  \\label{tab:x}\n  \\centering\n"
+            "  \\begin{tabular}{lr}\n    \\toprule\n    model & $\\omega$ \\\\\n    \\midrule\n    a\\_b & 1 $\\pm$ 2 \\\\\n"
+            "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n");
+}
+
+TEST(PaperTables, TextOfUnknownOriginStaysText) {
+  EXPECT_EQ(latex_text("\\input{x} & 100% $y$ #1 ~^"), "\\textbackslash{}input\\{x\\} \\& 100\\% \\$y\\$ \\#1 \\textasciitilde{}\\^{}");
+  EXPECT_THAT(latex_text("a\nb"), Not(HasSubstr("\n")));
+  EXPECT_THAT(to_markdown({"x", "", {"model"}, {{"<script>"}}}), HasSubstr("\\<script>"));
+}
+
+}  // namespace
+}  // namespace swarmfit
