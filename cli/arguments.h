@@ -25,16 +25,18 @@ struct DataArguments {
 
 struct FitArguments {
   Common common;
-  DataArguments data;
-  std::vector<std::string> models;  // one per element, settings included
+  DataArguments data;                   // its path is not used
+  std::vector<std::string> recordings;  // one or more paths
+  std::vector<std::string> models;      // one per element, settings included
   std::string preset;
   std::string out;
   std::string budget = "default";
   std::int64_t max_evaluations = 0;
   std::vector<std::string> set, fix, bounds;
-  std::string presence = "recorded", arena = "open", velocity = "difference", normalisation = "reference", observation_error = "estimate";
+  std::string presence = "recorded", arena = "open", velocity = "difference", protocol = "default";
+  std::string normalisation, observation_error;  // empty: the protocol's
   double smoothing = 0;
-  double error_limit = 0.5;
+  double error_limit = -1;  // negative: the protocol's
   int bins = 0;
   int replicates = 0;
   int population = 0;

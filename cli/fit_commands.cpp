@@ -4,6 +4,7 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -15,8 +16,10 @@
 #include "cli/settings.h"
 #include "cli/style.h"
 #include "cli/version.h"
+#include "fit/across.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
+#include "reports/across_report.h"
 #include "reports/json.h"
 #include "reports/run_directory.h"
 #include "reports/terminal.h"
@@ -24,10 +27,9 @@
 namespace swarmfit::cli {
 namespace {
 
-std::string run_directory(const FitArguments& a) {
-  if (!a.out.empty()) return a.out;
-  const auto stem = std::filesystem::path(a.data.path).stem().string();
-  return "swarmfit-" + (stem.empty() || stem == "-" ? std::string("stdin") : stem);
+std::string name_of(const std::string& path) {
+  const auto stem = std::filesystem::path(path).stem().string();
+  return stem.empty() || stem == "-" ? "stdin" : stem;
 }
 
 // What may differ between two runs of the same job stands here and nowhere else.
@@ -40,44 +42,84 @@ void write_timing(const std::string& dir, double seconds, const Comparison& resu
                   seconds, omp_get_max_threads(), simulations, static_cast<double>(simulations) / seconds));
 }
 
-int run(const FitArguments& a, const CompareOptions& options) {
-  use_threads(a.common);
-  const std::string dir = run_directory(a);
-  check_run_directory(dir);
-  const Tracks recording = load(a.data);
+// Compares on one recording and writes its run directory.
+Comparison run_one(const FitArguments& a, const CompareOptions& options, const Tracks& recording, const std::string& path,
+                   const std::string& dir) {
   const auto start = std::chrono::steady_clock::now();
-  Comparison result;
-  try {
-    ProgressLine line(a.common.quiet);
-    result = swarmfit::compare(recording, options, [&line](const CompareProgress& now) {
-      line.show(now);
-      return !interrupted();
-    });
-  } catch (const Interrupted&) {
-    std::fprintf(stderr, "swarmfit: interrupted; nothing was written\n");
-    return kInterrupted;
-  }
+  ProgressLine line(a.common.quiet);
+  Comparison result = swarmfit::compare(recording, options, [&line](const CompareProgress& now) {
+    line.show(now);
+    return !interrupted();
+  });
   result.version = kVersion;
-  result.config = resolved(a, options.models);
+  FitArguments alone = a;
+  alone.recordings = {path};
+  result.config = resolved(alone, options.models);
   write_run(dir, result);
   write_timing(dir, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), result);
-  std::fputs(a.common.json ? to_json(result).c_str() : ranking_text(result, style()).c_str(), stdout);
-  if (!a.common.quiet) std::fprintf(stderr, "report: %s\n", (std::filesystem::path(dir) / "report.html").c_str());
+  return result;
+}
+
+void say_where(const FitArguments& a, const std::filesystem::path& file) {
+  if (!a.common.quiet) std::fprintf(stderr, "%s: %s\n", file.extension() == ".html" ? "report" : "summary", file.c_str());
+}
+
+// Every recording gets a folder of its own, named after its file; equal names are numbered.
+int run_several(const FitArguments& a, const CompareOptions& options, const std::string& dir) {
+  std::vector<Tracks> recordings;
+  std::vector<std::string> names;
+  for (const auto& path : a.recordings) {
+    recordings.push_back(load(a.data, path));
+    const auto same = std::count_if(a.recordings.begin(), a.recordings.begin() + static_cast<std::ptrdiff_t>(names.size()),
+                                    [&](const std::string& other) { return name_of(other) == name_of(path); });
+    names.push_back(name_of(path) + (same > 0 ? "-" + std::to_string(same + 1) : ""));
+  }
+  make_directory(dir);
+  write_file_atomically(dir + "/config.toml", config_toml("compare", resolved(a, options.models)));
+  std::vector<Comparison> results;
+  for (std::size_t k = 0; k < recordings.size(); ++k) {
+    results.push_back(run_one(a, options, recordings[k], a.recordings[k], dir + '/' + names[k]));
+    if (!a.common.json) std::printf("%s\n", ranking_text(results.back(), style()).c_str());
+    results.back().history.clear();  // written, and long
+  }
+  const Across summary = across(results);
+  write_across(dir, summary);
+  std::fputs(a.common.json ? to_json(summary).c_str() : across_text(summary, style()).c_str(), stdout);
+  say_where(a, std::filesystem::path(dir) / "summary.json");
   return 0;
+}
+
+int run(const FitArguments& a, const CompareOptions& options) {
+  use_threads(a.common);
+  const std::string dir = !a.out.empty() ? a.out : "swarmfit-" + (a.recordings.size() > 1 ? "several" : name_of(a.recordings.front()));
+  check_run_directory(dir);
+  try {
+    if (a.recordings.size() > 1) return run_several(a, options, dir);
+    const Comparison result = run_one(a, options, load(a.data, a.recordings.front()), a.recordings.front(), dir);
+    std::fputs(a.common.json ? to_json(result).c_str() : ranking_text(result, style()).c_str(), stdout);
+    say_where(a, std::filesystem::path(dir) / "report.html");
+    return 0;
+  } catch (const Interrupted&) {
+    std::fprintf(stderr, "swarmfit: interrupted; nothing was written for the recording under way\n");
+    return kInterrupted;
+  }
 }
 
 }  // namespace
 
-int compare(const FitArguments& a) {
+int compare(const FitArguments& given) {
+  const FitArguments a = with_protocol(given);
   const CompareOptions options = compare_options(a);
   if (options.models.size() < 2)
     throw InputError(
-        "compare: fewer than two models; expected -m A,B,... or --preset noise|ablation|models (or swarmfit fit for one model)");
+        "compare: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all (or swarmfit fit for one model)");
   return run(a, options);
 }
 
-int fit(const FitArguments& a) {
+int fit(const FitArguments& given) {
+  const FitArguments a = with_protocol(given);
   const CompareOptions options = compare_options(a);
+  if (a.recordings.size() != 1) throw InputError("fit: expected one recording; swarmfit compare takes several");
   if (options.models.size() != 1) throw InputError("fit: expected exactly one model, as in -m bswarm; swarmfit compare takes several");
   return run(a, options);
 }

@@ -21,8 +21,7 @@ void add_common(CLI::App& app, Common& common) {
   app.add_flag("-q,--quiet", common.quiet, "no progress, no remarks");
 }
 
-void add_data(CLI::App& app, DataArguments& data, const char* name, const char* help) {
-  app.add_option(name, data.path, help)->required();
+void add_reading(CLI::App& app, DataArguments& data) {
   app.add_option("--columns", data.columns,
                  "what the columns hold: id,x,y,z,t,_,_ by position (_ skips), or id=object,t=time,x=X by header name");
   app.add_option("--delimiter", data.delimiter, "column delimiter, if it is not found by itself");
@@ -36,11 +35,23 @@ void add_data(CLI::App& app, DataArguments& data, const char* name, const char* 
       ->check(CLI::NonNegativeNumber);
 }
 
+void add_data(CLI::App& app, DataArguments& data, const char* name, const char* help) {
+  app.add_option(name, data.path, help)->required();
+  add_reading(app, data);
+}
+
 void add_fit(CLI::App& app, FitArguments& a) {
   add_common(app, a.common);
-  add_data(app, a.data, "DATA", "recording: a file, - for standard input, or demo");
+  app.add_option("DATA", a.recordings, "recordings: files, - for standard input, or demo; several are compared one by one and summarised")
+      ->required();
+  add_reading(app, a.data);
   app.add_option("-m,--model", a.models, "models, comma-separated, with settings in brackets: bswarm,boids,bswarm[noise=white]");
   app.add_option("-o,--out", a.out, "run directory; swarmfit-<name of the data> if not given");
+  app.add_option("--protocol", a.protocol,
+                 "default, or ren2016, the paper's literal choices: z-scores of each set by itself, no localisation error, all seven "
+                 "metrics, up to ten passes; flags given beside it win")
+      ->check(CLI::IsMember({"default", "ren2016"}))
+      ->capture_default_str();
   app.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
   app.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);
   app.add_option("--replicates", a.replicates, "simulations per candidate, instead of the budget's")->check(CLI::NonNegativeNumber);
@@ -54,20 +65,19 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("--population", a.population,
                  "how many individuals there were, where only part of the group was tracked: the rest is simulated unseen")
       ->check(CLI::PositiveNumber);
-  app.add_option("--obs-noise", a.observation_error, "localisation error put on simulated positions: estimate, or a value in length units")
-      ->capture_default_str();
+  app.add_option("--obs-noise", a.observation_error,
+                 "localisation error put on simulated positions: estimate (default), or a value in length units");
   app.add_option("--error-limit", a.error_limit,
-                 "leave a metric out of the score if more than this share of its variance is localisation error")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+                 "leave a metric out of the score if more than this share of its variance is localisation error (default 0.5)")
+      ->check(CLI::Range(0.0, 1.0));
   app.add_option("--smooth", a.smoothing, "smooth recording and simulations alike, Gaussian, standard deviation in frames")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--velocity", a.velocity, "difference of positions, or the recorded velocity column")
       ->check(CLI::IsMember({"difference", "recorded"}))
       ->capture_default_str();
-  app.add_option("--normalisation", a.normalisation, "whose mean and deviation standardise the metrics: reference, separate or none")
-      ->check(CLI::IsMember({"reference", "separate", "none"}))
-      ->capture_default_str();
+  app.add_option("--normalisation", a.normalisation,
+                 "whose mean and deviation standardise the metrics: reference (default), separate or none")
+      ->check(CLI::IsMember({"reference", "separate", "none"}));
   app.add_option("--bins", a.bins, "histogram bins, instead of the normalisation's default")->check(CLI::NonNegativeNumber);
 }
 
@@ -171,9 +181,11 @@ struct Program {
     add_fit(one, fit);
     auto& many = command("compare", "fit several models and rank them", [this] { return cli::compare(compare); });
     add_fit(many, compare);
-    many.add_option("--preset", compare.preset,
-                    "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: one of each model")
-        ->check(CLI::IsMember({"noise", "ablation", "models"}));
+    many.add_option(
+            "--preset", compare.preset,
+            "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: bswarm, noise_aware, "
+            "boids, rvo, brownian and the null model langevin; all: these and every other model")
+        ->check(CLI::IsMember({"noise", "ablation", "models", "all"}));
   }
 
   void add_lists() {

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -18,6 +19,8 @@
 
 namespace swarmfit::cli {
 namespace {
+
+constexpr int kRen2016Passes = 10;  // of the calibration loop; the paper iterates until the weights settle and names no limit
 
 double number(std::string_view flag, std::string_view text, std::string_view whole) {
   double value = 0;
@@ -102,11 +105,11 @@ std::string quoted(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-Tracks load(const DataArguments& data) {
+Tracks load(const DataArguments& data, const std::string& path) {
   const ReadOptions options = read_options(data);
   // The built-in recording goes through the reader like any other, so that --frames, --fill-gaps and the rest hold for it too.
-  if (data.path == "demo") return read_tracks_bytes("demo", to_csv(demo_recording()), options);
-  if (data.path != "-") return read_tracks(data.path, options);
+  if (path == "demo") return read_tracks_bytes("demo", to_csv(demo_recording()), options);
+  if (path != "-") return read_tracks(path, options);
   return read_tracks_bytes("standard input", {std::istreambuf_iterator<char>(std::cin), {}}, options);
 }
 
@@ -124,11 +127,18 @@ std::vector<ModelChoice> parse_models(const std::vector<std::string>& texts) {
 }
 
 std::vector<ModelChoice> preset_models(const std::string& preset) {
-  if (preset == "noise") return parse_models({"bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian]", "bswarm[noise=white]"});
-  if (preset == "ablation") return parse_models({"bswarm", "bswarm[noise=none]", "bswarm[interaction=off]"});
-  std::vector<ModelChoice> all;
-  for (const auto& spec : models()) all.push_back(parse_model(spec.name));
-  return all;
+  const std::vector<std::string> noise = {"bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian]", "bswarm[noise=white]"},
+                                 ablation = {"bswarm", "bswarm[noise=none]", "bswarm[interaction=off]"},
+                                 published = {"bswarm", "noise_aware", "boids", "rvo", "brownian", "langevin"};
+  if (preset == "noise") return parse_models(noise);
+  if (preset == "ablation") return parse_models(ablation);
+  if (preset == "models") return parse_models(published);
+  std::vector<std::string> all = noise;
+  all.insert(all.end(), ablation.begin() + 1, ablation.end());
+  all.insert(all.end(), published.begin() + 1, published.end());
+  for (const auto& spec : models())
+    if (std::find(all.begin(), all.end(), spec.name) == all.end()) all.emplace_back(spec.name);
+  return parse_models(all);
 }
 
 std::map<std::string, double> parse_assignments(const std::vector<std::string>& texts) {
@@ -148,6 +158,14 @@ Binning binning(const std::string& normalisation, int bins) {
   return b;
 }
 
+FitArguments with_protocol(FitArguments a) {
+  const bool literal = a.protocol == "ren2016";
+  if (a.normalisation.empty()) a.normalisation = literal ? "separate" : "reference";
+  if (a.observation_error.empty()) a.observation_error = literal ? "0" : "estimate";
+  if (a.error_limit < 0) a.error_limit = literal ? 1 : 0.5;
+  return a;
+}
+
 CompareOptions compare_options(const FitArguments& a) {
   CompareOptions o;
   if (!a.preset.empty() && !a.models.empty()) throw InputError("--preset and --model: expected one of them, not both");
@@ -165,6 +183,8 @@ CompareOptions compare_options(const FitArguments& a) {
   o.binning = binning(a.normalisation, a.bins);
   o.budget = budget_named(a.budget);
   if (a.replicates > 0) o.budget.search.replicates = a.replicates;
+  if (a.protocol == "ren2016") o.budget.passes = kRen2016Passes;
+  o.protocol = a.protocol;
   o.seed = a.common.seed;
   o.max_evaluations = a.max_evaluations;
   o.error_limit = a.error_limit;
@@ -174,7 +194,7 @@ CompareOptions compare_options(const FitArguments& a) {
 std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a, const std::vector<ModelChoice>& models) {
   std::vector<std::string> names;
   for (const auto& model : models) names.push_back(model.name);
-  std::vector<std::pair<std::string, std::string>> out{{"DATA", quoted(a.data.path)}, {"model", quoted(names)}};
+  std::vector<std::pair<std::string, std::string>> out{{"DATA", quoted(a.recordings)}, {"model", quoted(names)}};
   const auto text = [&](const char* flag, const std::string& value) {
     if (!value.empty()) out.emplace_back(flag, quoted(value));
   };
@@ -194,6 +214,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("times", a.data.times);
   positive("fill-gaps", a.data.fill_gaps);
   out.emplace_back("seed", std::to_string(a.common.seed));
+  text("protocol", a.protocol);
   text("budget", a.budget);
   positive("max-evaluations", a.max_evaluations);
   positive("replicates", a.replicates);

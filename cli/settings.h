@@ -14,7 +14,8 @@
 
 namespace swarmfit::cli {
 
-Tracks load(const DataArguments& data);  // a file, "-" or "demo"
+Tracks load(const DataArguments& data, const std::string& path);  // a file, "-" or "demo"
+inline Tracks load(const DataArguments& data) { return load(data, data.path); }
 
 // "bswarm,boids[…],…" split at the commas outside brackets, each parsed; duplicates are refused.
 std::vector<ModelChoice> parse_models(const std::vector<std::string>& texts);
@@ -22,6 +23,8 @@ std::vector<ModelChoice> preset_models(const std::string& preset);
 
 std::map<std::string, double> parse_assignments(const std::vector<std::string>& texts);  // --set
 Binning binning(const std::string& normalisation, int bins);
+// The arguments with the choices of their protocol where the user made none of his own.
+FitArguments with_protocol(FitArguments arguments);
 CompareOptions compare_options(const FitArguments& arguments);
 
 // Every flag of the command as used, name and TOML value, for config.toml.

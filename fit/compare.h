@@ -23,6 +23,7 @@ struct CompareOptions {
   ConditionOptions conditions;
   Binning binning;
   Budget budget = budget_named("default");
+  std::string protocol = "default";  // by what name the choices above are reported
   std::uint64_t seed = 1;
   std::int64_t max_evaluations = 0;  // per model, over all passes; 0: none
   double error_limit = 0.5;          // a metric with a larger share of localisation error in its variance is left out of the score

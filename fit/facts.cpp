@@ -98,7 +98,7 @@ void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, con
   r.command = options.models.size() > 1 ? "compare" : "fit";
   r.seed = options.seed;
   r.budget = options.budget;
-  r.protocol = "default";
+  r.protocol = options.protocol;
   DataFacts& d = r.data;
   d.path = meta.from.path;
   d.sha256 = meta.from.sha256;

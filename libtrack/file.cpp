@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include "libtrack/error.h"
@@ -90,6 +91,12 @@ void write_file_atomically(const std::string& path, std::string_view bytes) {
   const auto message = because(path, "cannot be written");
   ::unlink(temporary.c_str());
   throw RunError(message);
+}
+
+void make_directory(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (failed) throw RunError(path + ": cannot create the folder: " + failed.message());
 }
 
 std::string sha256_hex(std::string_view bytes) {

@@ -14,6 +14,9 @@ std::string read_file(const std::string& path);
 // all of the new one, whatever happens in between. Devices and pipes are written directly. Throws RunError.
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
+// Creates a directory and those above it, if they are not there. Throws RunError.
+void make_directory(const std::string& path);
+
 // SHA-256 as 64 lower-case hexadecimal digits.
 std::string sha256_hex(std::string_view bytes);
 

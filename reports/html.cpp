@@ -145,7 +145,7 @@ std::map<std::string, std::string, std::less<>> page_values(const Comparison& c)
           {"model_references", sections::model_references(c).text},
           {"command", html_escaped(fmt::format("swarmfit {} --config config.toml --out NEW_FOLDER", c.command))},
           {"provenance", sections::provenance(c).text},
-          {"config", html_escaped(config_toml(c))},
+          {"config", html_escaped(config_toml(c.command, c.config))},
           {"version", html_escaped(c.version)}};
 }
 

@@ -25,12 +25,6 @@ bool is_earlier_run(const fs::path& dir) {
   return fs::is_regular_file(config) && read_file(config.string()).starts_with(kMark);
 }
 
-void create(const fs::path& dir) {
-  std::error_code failed;
-  fs::create_directories(dir, failed);
-  if (failed) throw RunError(dir.string() + ": cannot create the folder: " + failed.message());
-}
-
 }  // namespace
 
 void check_run_directory(const std::string& dir) {
@@ -47,10 +41,10 @@ void check_run_directory(const std::string& dir) {
 void write_run(const std::string& dir, const Comparison& c) {
   check_run_directory(dir);
   const fs::path root = dir, tables = root / "tables";
-  create(tables);
+  make_directory(tables.string());
   const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
   // The mark first: whatever happens from here on, the next run may clean up after this one.
-  write(root / "config.toml", config_toml(c));
+  write(root / "config.toml", config_toml(c.command, c.config));
   std::error_code no_such_file;
   fs::remove(root / "results.json", no_such_file);
   for (const NamedTable& t : result_tables(c)) write(tables / t.name, t.csv);
@@ -63,9 +57,9 @@ void write_run(const std::string& dir, const Comparison& c) {
   write(root / "results.json", to_json(c));
 }
 
-std::string config_toml(const Comparison& c) {
-  std::string out = fmt::format("{}: `swarmfit {} --config config.toml --out NEW_FOLDER` repeats it.\n[{}]\n", kMark, c.command, c.command);
-  for (const auto& [key, value] : c.config) out += fmt::format("{} = {}\n", key, value);
+std::string config_toml(const std::string& command, const Settings& settings) {
+  std::string out = fmt::format("{}: `swarmfit {} --config config.toml --out NEW_FOLDER` repeats it.\n[{}]\n", kMark, command, command);
+  for (const auto& [key, value] : settings) out += fmt::format("{} = {}\n", key, value);
   return out;
 }
 

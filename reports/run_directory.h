@@ -16,7 +16,8 @@ void check_run_directory(const std::string& dir);
 // needed. results.json comes last: a directory that has one is complete. Throws InputError as above, RunError when writing fails.
 void write_run(const std::string& dir, const Comparison&);
 
-// Everything needed to repeat the run: under the command's own heading, "name = value" lines, values being TOML already.
-std::string config_toml(const Comparison&);
+// Everything needed to repeat a run: under the command's own heading, "name = value" lines, values being TOML already.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+std::string config_toml(const std::string& command, const Settings& settings);
 
 }  // namespace swarmfit

@@ -155,8 +155,8 @@ std::string localisation_lines(const TrackMeta& meta, const Localisation& l) {
   for (int axis = 0; axis < meta.dims; ++axis) sigma += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], rounded(l.sigma[axis]));
   if (l.rounding) return paragraph(fmt::format("Localisation error: no more than the rounding of the file ({} {}).", sigma, meta.unit));
   const std::string caveat = l.white ? "" : " (not white: the positions were smoothed, or the motion itself is this rough)";
-  return paragraph(fmt::format("Localisation error: {} {}{}; it explains {} of the acceleration and {} of the jerk (squared medians).", sigma,
-                               meta.unit, caveat, percent(l.acceleration_share), percent(l.jerk_share)));
+  return paragraph(fmt::format("Localisation error: {} {}{}; it explains {} of the acceleration and {} of the jerk (squared medians).",
+                               sigma, meta.unit, caveat, percent(l.acceleration_share), percent(l.jerk_share)));
 }
 
 std::string suspicion_text(const Suspicion& s) {

@@ -162,6 +162,35 @@ TEST_F(Program, ConfigOfARunRepeatsIt) {
   EXPECT_EQ(content(dir_ / "a/results.json"), content(dir_ / "b/results.json"));
 }
 
+TEST_F(Program, SeveralRecordingsGetAFolderEachAndASummary) {
+  fs::create_directories(dir_ / "again");
+  ASSERT_EQ(run("convert demo --frames 0:60 -o film.csv -q").code, 0);
+  ASSERT_EQ(run("convert demo --frames 100:160 -o again/film.csv -q").code, 0);
+  const Result r = run(std::string("compare film.csv again/film.csv -m bswarm,boids ") + kQuick + "--out s");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("Rank (score) on 2 recordings"));
+  for (const char* file : {"summary.json", "config.toml", "tables/across.csv", "film/results.json", "film-2/results.json"})
+    EXPECT_FALSE(content(dir_ / "s" / file).empty()) << file;
+  EXPECT_THAT(content(dir_ / "s/film-2/config.toml"), HasSubstr("DATA = [\"again/film.csv\"]"));
+  ASSERT_EQ(run("compare --config s/config.toml -q --out t").code, 0);
+  EXPECT_EQ(content(dir_ / "s/summary.json"), content(dir_ / "t/summary.json"));
+  expect_refused(std::string("compare film.csv no.csv -m bswarm,boids ") + kQuick + "--out u", "no.csv");
+  EXPECT_FALSE(fs::exists(dir_ / "u")) << "nothing is simulated or written before all recordings are read";
+  expect_refused("fit film.csv again/film.csv -m boids", "expected one recording");
+}
+
+TEST_F(Program, ProtocolSwitchesDefaultsAndFlagsWin) {
+  const std::string job = std::string("compare demo -m bswarm,boids --frames 0:60 --protocol ren2016 ") + kQuick;
+  ASSERT_EQ(run(job + "--out literal").code, 0);
+  EXPECT_THAT(content(dir_ / "literal/config.toml"), AllOf(HasSubstr("protocol = \"ren2016\""), HasSubstr("normalisation = \"separate\""),
+                                                           HasSubstr("obs-noise = \"0\""), HasSubstr("error-limit = 1")));
+  EXPECT_THAT(content(dir_ / "literal/results.json"), AllOf(HasSubstr("\"protocol\": \"ren2016\""), HasSubstr("\"passes\": 10")));
+  ASSERT_EQ(run(job + "--normalisation reference --obs-noise 0.3 --out mixed").code, 0);
+  EXPECT_THAT(content(dir_ / "mixed/config.toml"), AllOf(HasSubstr("normalisation = \"reference\""), HasSubstr("obs-noise = \"0.3\"")));
+  ASSERT_EQ(run("compare --config mixed/config.toml -q --out again").code, 0);
+  EXPECT_EQ(content(dir_ / "mixed/results.json"), content(dir_ / "again/results.json"));
+}
+
 TEST_F(Program, DoesNotTouchAForeignFolder) {
   fs::create_directories(dir_ / "mine");
   write("mine/thesis.txt", "years of work");

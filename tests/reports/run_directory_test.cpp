@@ -92,7 +92,7 @@ TEST(ConfigToml, HoldsEverySettingAsItWasGiven) {
   Comparison c;
   c.command = "compare";
   c.config = {{"DATA", "\"a \\\"b\\\".txt\""}, {"model", "[\"bswarm\", \"boids\"]"}, {"seed", "1"}};
-  EXPECT_EQ(config_toml(c),
+  EXPECT_EQ(config_toml(c.command, c.config),
             "# A run of swarmfit: `swarmfit compare --config config.toml --out NEW_FOLDER` repeats it.\n"
             "[compare]\nDATA = \"a \\\"b\\\".txt\"\nmodel = [\"bswarm\", \"boids\"]\nseed = 1\n");
 }

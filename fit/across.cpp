@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "fit/across.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmfit {
+namespace {
+
+const FitResult& of(const Comparison& c, const std::string& model) {
+  return *std::find_if(c.models.begin(), c.models.end(), [&](const FitResult& r) { return r.model == model; });
+}
+
+template <class Values>
+double mean_of_defined(const Values& values, bool (*defined)(typename Values::value_type)) {
+  double sum = 0, n = 0;
+  for (const auto value : values)
+    if (defined(value)) sum += static_cast<double>(value), ++n;
+  return n > 0 ? sum / n : NAN;
+}
+
+ModelAcross model_across(std::span<const Comparison> comparisons, const std::string& name) {
+  ModelAcross m;
+  m.model = name;
+  for (const Comparison& c : comparisons) {
+    const FitResult& fit = of(c, name);
+    m.score.push_back(fit.score);
+    m.rank.push_back(fit.rank);
+    m.wins += fit.rank == 1;
+  }
+  m.mean_score = mean_of_defined(
+      m.score, +[](double x) { return std::isfinite(x); });
+  m.mean_rank = mean_of_defined(
+      m.rank, +[](int rank) { return rank > 0; });
+  return m;
+}
+
+}  // namespace
+
+Across across(std::span<const Comparison> comparisons) {
+  Across out;
+  if (comparisons.empty()) return out;
+  for (const Comparison& c : comparisons) {
+    out.recordings.push_back(c.data.path);
+    out.weights.push_back(c.weights);
+  }
+  for (std::size_t j = 0; j < kMetrics; ++j) {
+    std::vector<double> w;
+    for (const auto& weights : out.weights) w.push_back(weights[j]);
+    out.mean_weight[j] = mean_of_defined(
+        w, +[](double x) { return std::isfinite(x); });
+    out.smallest_weight[j] = *std::min_element(w.begin(), w.end());
+    out.largest_weight[j] = *std::max_element(w.begin(), w.end());
+  }
+  for (const std::string& name : comparisons.front().named) out.models.push_back(model_across(comparisons, name));
+  std::stable_sort(out.models.begin(), out.models.end(), [](const ModelAcross& a, const ModelAcross& b) {
+    const auto last = [](double x) { return std::isfinite(x) ? x : INFINITY; };
+    if (last(a.mean_rank) != last(b.mean_rank)) return last(a.mean_rank) < last(b.mean_rank);
+    return a.mean_score > b.mean_score;
+  });
+  return out;
+}
+
+}  // namespace swarmfit

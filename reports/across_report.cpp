@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "reports/across_report.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "libtrack/file.h"
+#include "reports/number.h"
+#include "reports/tables.h"
+#include "reports/words.h"
+
+namespace swarmfit {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string place(const ModelAcross& m, std::size_t recording) {
+  if (m.rank[recording] == 0) return kUndefined;
+  return fmt::format("{} ({})", m.rank[recording], fixed(m.score[recording], 3));
+}
+
+Json by_metric(const PerMetric<double>& values) {
+  Json out = Json::object();
+  for (std::size_t j = 0; j < kMetrics; ++j) out[std::string(kMetricInfo[j].key)] = values[j];
+  return out;
+}
+
+PaperTable ranking(const Across& a) {
+  PaperTable t{"across_ranking", "Rank and, in brackets, score of every model on every recording; models by mean rank.", {"model"}, {}};
+  for (const auto& name : a.recordings) t.head.push_back(name);
+  t.head.insert(t.head.end(), {"mean rank", "mean score", "first"});
+  for (const ModelAcross& m : a.models) {
+    std::vector<std::string> row{m.model};
+    for (std::size_t k = 0; k < a.recordings.size(); ++k) row.push_back(place(m, k));
+    row.insert(row.end(), {fixed(m.mean_rank, 2), fixed(m.mean_score, 3), std::to_string(m.wins)});
+    t.rows.push_back(std::move(row));
+  }
+  return t;
+}
+
+PaperTable weights(const Across& a) {
+  PaperTable t{"across_weights", "Entropy weights of the metrics on every recording.", {"recording"}, {}};
+  for (const MetricInfo& info : kMetricInfo) t.head.emplace_back(info.symbol);
+  const auto add = [&](const std::string& name, const PerMetric<double>& values) {
+    std::vector<std::string> row{name};
+    for (const double w : values) row.push_back(fixed(w, 4));
+    t.rows.push_back(std::move(row));
+  };
+  for (std::size_t k = 0; k < a.recordings.size(); ++k) add(a.recordings[k], a.weights[k]);
+  add("mean", a.mean_weight);
+  return t;
+}
+
+}  // namespace
+
+std::string across_text(const Across& a, TextStyle style) {
+  std::vector<Align> align = {Align::left};
+  align.insert(align.end(), a.recordings.size() + 2, Align::right);
+  TextTable t(align, style);
+  std::vector<std::string> head = {"model"};
+  for (const auto& name : a.recordings) head.push_back(printable(fs::path(name).stem().string()));
+  head.insert(head.end(), {"mean rank", "first"});
+  t.row(head, Paint::bold);
+  for (const ModelAcross& m : a.models) {
+    std::vector<std::string> row{m.model};
+    for (std::size_t k = 0; k < a.recordings.size(); ++k) row.push_back(place(m, k));
+    row.insert(row.end(), {fixed(m.mean_rank, 2), std::to_string(m.wins)});
+    t.row(row, &m == &a.models.front() ? Paint::good : Paint::plain);
+  }
+  const std::string out = fmt::format("Rank (score) on {} recordings\n{}", a.recordings.size(), t.text());
+  return style.unicode ? out : ascii(out);
+}
+
+std::string to_json(const Across& a) {
+  Json models = Json::array(), recordings = Json::array();
+  for (std::size_t k = 0; k < a.recordings.size(); ++k)
+    recordings.push_back({{"path", a.recordings[k]}, {"weights", by_metric(a.weights[k])}});
+  for (const ModelAcross& m : a.models)
+    models.push_back({{"name", m.model},
+                      {"rank", m.rank},
+                      {"score", m.score},
+                      {"mean_rank", m.mean_rank},
+                      {"mean_score", m.mean_score},
+                      {"first", m.wins}});
+  const Json all = {{"schema", "swarmfit-across/1"},
+                    {"recordings", std::move(recordings)},
+                    {"mean_weights", by_metric(a.mean_weight)},
+                    {"smallest_weights", by_metric(a.smallest_weight)},
+                    {"largest_weights", by_metric(a.largest_weight)},
+                    {"models", std::move(models)}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string across_csv(const Across& a) {
+  std::string out = "model,recording,rank,score\n";
+  for (const ModelAcross& m : a.models)
+    for (std::size_t k = 0; k < a.recordings.size(); ++k)
+      out += fmt::format("{},{},{},{}\n", csv_field(m.model), csv_field(a.recordings[k]), m.rank[k] > 0 ? std::to_string(m.rank[k]) : "",
+                         exact(m.score[k]));
+  return out;
+}
+
+std::vector<PaperTable> paper_tables(const Across& a) { return {ranking(a), weights(a)}; }
+
+void write_across(const std::string& dir, const Across& a) {
+  const fs::path root = dir, tables = root / "tables";
+  make_directory(tables.string());
+  std::error_code no_such_file;
+  fs::remove(root / "summary.json", no_such_file);
+  write_file_atomically((tables / "across.csv").string(), across_csv(a));
+  for (const PaperTable& t : paper_tables(a)) {
+    write_file_atomically((tables / (t.name + ".md")).string(), to_markdown(t));
+    write_file_atomically((tables / (t.name + ".tex")).string(), to_latex(t));
+  }
+  write_file_atomically((root / "summary.json").string(), to_json(a));
+}
+
+}  // namespace swarmfit

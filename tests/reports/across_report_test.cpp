@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "reports/across_report.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "libtrack/file.h"
+
+namespace swarmfit {
+namespace {
+
+using testing::HasSubstr;
+
+Across sample() {
+  Across a;
+  a.recordings = {"one.csv", "dir/two,b.csv"};
+  a.weights.resize(2);
+  a.weights[0].fill(0.1);
+  a.weights[1].fill(0.2);
+  a.mean_weight.fill(0.15);
+  a.models = {{"bswarm[noise=white]", {0.9, 0.8}, {1, 2}, 0.85, 1.5, 1}, {"boids", {0.1, NAN}, {2, 0}, 0.1, 2, 0}};
+  return a;
+}
+
+TEST(AcrossReport, TextByHand) {
+  EXPECT_EQ(across_text(sample(), {}),
+            "Rank (score) on 2 recordings\n"
+            " model                      one      two,b  mean rank  first\n"
+            " bswarm[noise=white]  1 (0.900)  2 (0.800)       1.50      1\n"
+            " boids                2 (0.100)          –       2.00      0\n");
+}
+
+TEST(AcrossReport, CsvByHand) {
+  EXPECT_EQ(across_csv(sample()),
+            "model,recording,rank,score\nbswarm[noise=white],one.csv,1,0.9\nbswarm[noise=white],\"dir/two,b.csv\",2,0.8\n"
+            "boids,one.csv,2,0.1\nboids,\"dir/two,b.csv\",,\n");
+}
+
+TEST(AcrossReport, JsonHoldsEverything) {
+  const auto json = nlohmann::json::parse(to_json(sample()));
+  EXPECT_EQ(json["schema"], "swarmfit-across/1");
+  EXPECT_EQ(json["recordings"][1]["path"], "dir/two,b.csv");
+  EXPECT_EQ(json["recordings"][1]["weights"]["mu"], 0.2);
+  EXPECT_EQ(json["models"][0]["rank"], (std::vector<int>{1, 2}));
+  EXPECT_TRUE(json["models"][1]["score"][1].is_null());
+}
+
+TEST(AcrossReport, PaperTablesHaveOneColumnPerRecording) {
+  for (const PaperTable& t : paper_tables(sample()))
+    for (const auto& row : t.rows) EXPECT_EQ(row.size(), t.head.size()) << t.name;
+}
+
+TEST(AcrossReport, WritesSummaryAndTables) {
+  const auto dir = std::filesystem::path(testing::TempDir()) / "across_report";
+  std::filesystem::remove_all(dir);
+  write_across(dir.string(), sample());
+  EXPECT_EQ(read_file((dir / "summary.json").string()), to_json(sample()));
+  for (const char* file : {"across.csv", "across_ranking.md", "across_ranking.tex", "across_weights.md", "across_weights.tex"})
+    EXPECT_TRUE(std::filesystem::exists(dir / "tables" / file)) << file;
+  std::filesystem::remove_all(dir);
+}
+
+}  // namespace
+}  // namespace swarmfit
