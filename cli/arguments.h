@@ -42,6 +42,17 @@ struct FitArguments {
   int population = 0;
 };
 
+struct RecoverArguments {
+  Common common;
+  std::vector<std::string> models, planted, set;
+  std::string preset, out, budget = "quick", protocol = "default", observation_error;
+  std::int64_t max_evaluations = 0, frames = 300;
+  int seeds = 10, agents = 10, dims = 3;
+  double fps = 100, noise = 0, dropout = 0;
+  double extent = 100, spacing = 70, speed = 225;  // a laboratory swarm of midges, in mm and s
+  std::string unit = "mm";
+};
+
 struct DescribeArguments {
   Common common;
   DataArguments data;

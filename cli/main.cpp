@@ -90,6 +90,7 @@ struct Program {
   EvaluateArguments evaluate;
   WeighArguments weigh;
   SimulateArguments simulate;
+  RecoverArguments recover;
   Common list;
   std::function<int()> chosen;
 
@@ -106,6 +107,7 @@ struct Program {
     add_evaluate();
     add_weigh();
     add_fits();
+    add_recover();
     add_lists();
   }
 
@@ -186,6 +188,35 @@ struct Program {
             "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: bswarm, noise_aware, "
             "boids, rvo, brownian and the null model langevin; all: these and every other model")
         ->check(CLI::IsMember({"noise", "ablation", "models", "all"}));
+  }
+
+  void add_recover() {
+    auto& a = recover;
+    auto& sub = command("recover", "recordings made by each model, compared with all: which model wins on whose?",
+                        [this] { return cli::recover(recover); });
+    add_common(sub, a.common);
+    sub.add_option("-m,--model", a.models, "models that are compared, comma-separated, with settings in brackets");
+    sub.add_option("--preset", a.preset, "noise, ablation, models or all, as in compare")
+        ->check(CLI::IsMember({"noise", "ablation", "models", "all"}));
+    sub.add_option("--plant", a.planted, "models that make recordings; all that are compared if not given");
+    sub.add_option("--set", a.set, "model.parameter=value, of the planted models, in physical units")->take_all();
+    sub.add_option("--seeds", a.seeds, "recordings per model")->check(CLI::PositiveNumber)->capture_default_str();
+    sub.add_option("--agents", a.agents, "individuals in a recording")->check(CLI::Range(2, 100000))->capture_default_str();
+    sub.add_option("--frames", a.frames, "frames of a recording")->check(CLI::PositiveNumber)->capture_default_str();
+    sub.add_option("--fps", a.fps, "frames per second")->check(CLI::PositiveNumber)->capture_default_str();
+    sub.add_option("--dims", a.dims, "2 or 3")->check(CLI::IsMember({2, 3}))->capture_default_str();
+    sub.add_option("--film-noise", a.noise, "localisation error of the planted recordings [unit]")->check(CLI::NonNegativeNumber);
+    sub.add_option("--dropout", a.dropout, "probability per individual and frame that it is lost for up to five frames")
+        ->check(CLI::Range(0.0, 1.0));
+    sub.add_option("--extent", a.extent, "rms radius of the planted groups [unit]")->check(CLI::PositiveNumber)->capture_default_str();
+    sub.add_option("--spacing", a.spacing, "their nearest-neighbour distance [unit]")->check(CLI::PositiveNumber)->capture_default_str();
+    sub.add_option("--speed", a.speed, "their mean speed [unit/s]")->check(CLI::PositiveNumber)->capture_default_str();
+    sub.add_option("--unit", a.unit, "name of the length unit")->capture_default_str();
+    sub.add_option("--obs-noise", a.observation_error, "as in compare");
+    sub.add_option("--protocol", a.protocol, "as in compare")->check(CLI::IsMember({"default", "ren2016"}))->capture_default_str();
+    sub.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
+    sub.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);
+    sub.add_option("-o,--out", a.out, "run directory; swarmfit-recovery if not given");
   }
 
   void add_lists() {

@@ -192,7 +192,7 @@ Conditions make_conditions(const Tracks& recording, const ConditionOptions& opti
   if (!(c.scales.speed > 0)) throw InputError(path + ": nothing moves; expected tracks of at least two consecutive frames with motion");
   if (!(c.scales.spacing > 0) || !(c.scales.extent > 0))
     throw InputError(path + ": no frame shows two individuals apart; expected a group, since neighbour distances scale the fit");
-  if (options.error == ConditionOptions::Error::estimate) c.sigma = c.localisation.sigma;
+  if (options.error == ConditionOptions::Error::estimate && c.localisation.white) c.sigma = c.localisation.sigma;
   if (options.error == ConditionOptions::Error::given) c.sigma = Eigen::Array3d::Constant(options.sigma);
   if (recording.dims() == 2) c.sigma[2] = 0;
   c.world.dims = recording.dims();

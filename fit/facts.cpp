@@ -29,9 +29,10 @@ void warn_of_data(const Comparison& r, std::vector<std::string>& out) {
     warn(out, "Only {:.1f} individuals per frame: neighbour distances of so small a group say little about interaction.",
          r.data.individuals_per_frame);
   if (!r.observation.white && r.observation.error_source == "estimate")
-    warn(out,
-         "The measurement error is not independent from frame to frame (the positions look smoothed), so its estimate is a guess; "
-         "give it with --obs-noise, or compare with --obs-noise 0.");
+    warn(
+        out,
+        "The localisation error cannot be told from the motion (it is not independent from frame to frame: the positions were smoothed, or "
+        "the motion is rough), so simulations carry none; where it is known, give it with --obs-noise.");
 }
 
 // Energies of one run move together, so the total's scatter is taken over replicates and not summed over metrics.

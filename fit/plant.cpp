@@ -96,7 +96,7 @@ Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, co
   plan.frame_dt = options.dt;
   plan.substeps = options.substeps;
   plan.frames = options.warm_up + options.frames;
-  const auto rule = model.spec->make({options.dims, model.options, Scales{}, nullptr});
+  const auto rule = model.spec->make({options.dims, model.options, options.scales, nullptr});
   World world;
   world.dims = options.dims;
   world.bounds = options.arena;

@@ -16,6 +16,7 @@ struct PlantOptions {
   std::int64_t warm_up = 0;  // frames simulated before the recording starts
   Bounds arena;              // open by default
   double start_radius = 1;   // agents start uniformly in a ball (disc) of this radius about the origin, or the arena's centre [unit]
+  Scales scales;             // what the model is told of the group's size and speed
   double start_speed = 1;    // and in random directions at this speed [unit/s]
   double sigma = 0;          // localisation error per axis [unit]
   double dropout = 0;        // probability per individual and frame that a gap begins

@@ -179,6 +179,18 @@ TEST_F(Program, SeveralRecordingsGetAFolderEachAndASummary) {
   expect_refused("fit film.csv again/film.csv -m boids", "expected one recording");
 }
 
+TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
+  const std::string job = "recover -m bswarm,boids --seeds 1 --agents 6 --frames 50 --max-evaluations 10 -q ";
+  const Result r = run(job + "--out r");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, AllOf(HasSubstr("planted \\ ranked first"), HasSubstr("of 1")));
+  ASSERT_EQ(run("recover --config r/config.toml -q --out again").code, 0);
+  EXPECT_EQ(content(dir_ / "r/tables/cases.csv"), content(dir_ / "again/tables/cases.csv"));
+  expect_refused("recover -m bswarm", "fewer than two models");
+  expect_refused("recover -m bswarm,boids --plant brownies", "brownies");
+  expect_refused("recover -m bswarm,boids --set speed=3", "model.parameter=value");
+}
+
 TEST_F(Program, ProtocolSwitchesDefaultsAndFlagsWin) {
   const std::string job = std::string("compare demo -m bswarm,boids --frames 0:60 --protocol ren2016 ") + kQuick;
   ASSERT_EQ(run(job + "--out literal").code, 0);

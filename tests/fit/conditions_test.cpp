@@ -8,6 +8,7 @@
 #include "fit/observe.h"
 #include "libswarm/world.h"
 #include "libtrack/error.h"
+#include "libtrack/kinematics.h"
 #include "tests/fit/planted.h"
 
 namespace swarmfit {
@@ -154,6 +155,14 @@ TEST(Demo, IsDeterministicAndLabelled) {
   EXPECT_TRUE(a.meta().from.synthetic);
   EXPECT_EQ(a.meta().from.path, "demo");
   EXPECT_TRUE((a.pos() == demo_recording().pos()).all());
+}
+
+TEST(Conditions, AnEstimateThatIsNotWhiteIsNotSimulated) {
+  const Tracks raw = test::planted_swarm(1, 0.5);
+  EXPECT_NEAR(make_conditions(raw, {}).sigma[0], 0.5, 0.1);
+  const Tracks smoothed = smooth(raw, 1.5);
+  EXPECT_FALSE(make_conditions(smoothed, {}).localisation.white);
+  EXPECT_EQ(make_conditions(smoothed, {}).sigma.maxCoeff(), 0);
 }
 
 }  // namespace

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// recover: plant models, film them, compare, and count who wins on whose recording.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/settings.h"
+#include "cli/style.h"
+#include "fit/recovery.h"
+#include "libtrack/error.h"
+#include "reports/recovery_report.h"
+
+namespace swarmfit::cli {
+namespace {
+
+RecoveryOptions recovery_options(const RecoverArguments& a) {
+  FitArguments fit;
+  fit.common = a.common;
+  fit.models = a.models;
+  fit.preset = a.preset;
+  fit.budget = a.budget;
+  fit.protocol = a.protocol;
+  fit.max_evaluations = a.max_evaluations;
+  fit.observation_error = a.observation_error;
+  RecoveryOptions o;
+  o.compare = compare_options(with_protocol(fit));
+  o.planted = a.planted.empty() ? o.compare.models : parse_models(a.planted);
+  if (o.compare.models.size() < 2)
+    throw InputError("recover: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
+  o.film.dims = a.dims;
+  o.film.agents = a.agents;
+  o.film.frames = a.frames;
+  o.film.dt = 1 / a.fps;
+  o.film.sigma = a.noise;
+  o.film.dropout = a.dropout;
+  o.film.unit = a.unit;
+  o.scales = {a.extent, a.spacing, a.speed};
+  o.seeds = a.seeds;
+  for (const auto& [name, value] : parse_assignments(a.set)) {
+    const auto dot = name.rfind('.');
+    if (dot == std::string::npos) throw InputError(fmt::format("--set {}: expected model.parameter=value", name));
+    o.set[parse_model(name.substr(0, dot)).name][name.substr(dot + 1)] = value;
+  }
+  return o;
+}
+
+Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
+  std::vector<std::string> compared, planted;
+  for (const auto& m : o.compare.models) compared.push_back('"' + m.name + '"');
+  for (const auto& m : o.planted) planted.push_back('"' + m.name + '"');
+  const auto quoted = [](const std::string& text) { return '"' + text + '"'; };
+  Settings s{{"model", fmt::format("[{}]", fmt::join(compared, ", "))},
+             {"plant", fmt::format("[{}]", fmt::join(planted, ", "))},
+             {"seeds", std::to_string(a.seeds)},
+             {"agents", std::to_string(a.agents)},
+             {"frames", std::to_string(a.frames)},
+             {"fps", fmt::format("{}", a.fps)},
+             {"dims", std::to_string(a.dims)},
+             {"film-noise", fmt::format("{}", a.noise)},
+             {"dropout", fmt::format("{}", a.dropout)},
+             {"extent", fmt::format("{}", a.extent)},
+             {"spacing", fmt::format("{}", a.spacing)},
+             {"speed", fmt::format("{}", a.speed)},
+             {"unit", quoted(a.unit)},
+             {"protocol", quoted(a.protocol)},
+             {"budget", quoted(a.budget)}};
+  if (a.max_evaluations > 0) s.emplace_back("max-evaluations", std::to_string(a.max_evaluations));
+  if (!a.observation_error.empty()) s.emplace_back("obs-noise", quoted(a.observation_error));
+  std::vector<std::string> set;
+  for (const auto& text : a.set) set.push_back(quoted(text));
+  if (!set.empty()) s.emplace_back("set", fmt::format("[{}]", fmt::join(set, ", ")));
+  return s;
+}
+
+}  // namespace
+
+int recover(const RecoverArguments& a) {
+  use_threads(a.common);
+  const RecoveryOptions options = recovery_options(a);
+  const std::string dir = a.out.empty() ? "swarmfit-recovery" : a.out;
+  check_run_directory(dir);
+  const auto total = options.planted.size() * static_cast<std::size_t>(options.seeds);
+  std::size_t done = 0;
+  Recovery result;
+  try {
+    result = recover_models(options, [&](const RecoveryCase& c) {
+      ++done;
+      if (!a.common.quiet)
+        std::fprintf(stderr, "%zu/%zu: %s, seed %llu: %s first\n", done, total, options.planted[c.planted].name.c_str(),
+                     static_cast<unsigned long long>(c.seed), c.order.front().c_str());
+      return !interrupted();
+    });
+  } catch (const Interrupted&) {
+    std::fprintf(stderr, "swarmfit: interrupted; nothing was written\n");
+    return kInterrupted;
+  }
+  const Settings settings = resolved(a, options);
+  write_recovery(dir, result, settings);
+  std::fputs(a.common.json ? to_json(result, settings).c_str() : recovery_text(result, style()).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace swarmfit::cli

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "fit/recovery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "libswarm/simulate.h"
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr double kWarmUp = 2;  // in units of L / V
+
+RecoveryCase judged(std::size_t planted, const std::string& name, std::uint64_t seed, const Comparison& result) {
+  RecoveryCase out{planted, seed, {}, {}, {}, 0};
+  for (const FitResult& fit : result.models) {
+    out.order.push_back(fit.model);
+    out.scores.push_back(fit.score);
+    out.score_se.push_back(fit.score_se);
+    if (fit.model == name) out.rank_of_planted = fit.rank;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> planted_parameters(const ModelChoice& model, const Scales& scales, const std::map<std::string, double>& set) {
+  std::vector<double> values = scene_parameters(model, set);
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    const Parameter& row = model.spec->parameters[p];
+    if (!set.contains(std::string(row.name))) values[p] = row.fit.initial * row.scale(scales);
+  }
+  return values;
+}
+
+Tracks planted_recording(const ModelChoice& model, const std::vector<double>& parameters, PlantOptions film, const Scales& scales,
+                         std::uint64_t seed) {
+  film.seed = seed;
+  film.scales = scales;
+  film.substeps = substeps(*model.spec, scales, film.dt);
+  film.start_radius = scales.extent * std::sqrt(film.dims == 3 ? 5.0 / 3 : 2.0);
+  film.start_speed = scales.speed;
+  film.warm_up = static_cast<std::int64_t>(std::ceil(kWarmUp * scales.time() / film.dt));
+  film.path = model.name;
+  return plant(model, parameters, film);
+}
+
+namespace {
+
+// What is not fitted is a constant of the method: it is the same in the planted swarms and in all models that are compared with them,
+// whatever scales a planted recording turns out to have.
+void share_constants(CompareOptions& compare, const Scales& scales) {
+  for (const auto& model : compare.models) {
+    const std::vector<double> values = planted_parameters(model, scales);
+    for (std::size_t p = 0; p < values.size(); ++p) {
+      const Parameter& row = model.spec->parameters[p];
+      if (!row.fitted && model.spec->uses(p, model.options))
+        compare.requests.set.try_emplace(fmt::format("{}.{}", model.name, row.name), values[p]);
+    }
+  }
+}
+
+}  // namespace
+
+Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case) {
+  CompareOptions compare_options = options.compare;
+  share_constants(compare_options, options.scales);
+  Recovery out;
+  for (const auto& model : options.compare.models) out.compared.push_back(model.name);
+  for (std::size_t p = 0; p < options.planted.size(); ++p) {
+    const ModelChoice& model = options.planted[p];
+    if (std::find(out.compared.begin(), out.compared.end(), model.name) == out.compared.end())
+      throw InputError("recover: " + model.name + " is planted but not compared");
+    const auto set = options.set.find(model.name);
+    out.planted.push_back(model.name);
+    out.parameters.push_back(
+        planted_parameters(model, options.scales, set == options.set.end() ? std::map<std::string, double>{} : set->second));
+    out.confusion.emplace_back(out.compared.size(), 0);
+    for (int k = 1; k <= options.seeds; ++k) {
+      const auto seed = static_cast<std::uint64_t>(k);
+      compare_options.seed = seed;
+      const Tracks recording = planted_recording(model, out.parameters.back(), options.film, options.scales, seed);
+      out.cases.push_back(judged(p, model.name, seed, compare(recording, compare_options)));
+      const auto winner = std::find(out.compared.begin(), out.compared.end(), out.cases.back().order.front());
+      ++out.confusion.back()[static_cast<std::size_t>(winner - out.compared.begin())];
+      if (on_case && !on_case(out.cases.back())) throw Interrupted{};
+    }
+  }
+  return out;
+}
+
+}  // namespace swarmfit

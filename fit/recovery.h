@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Model recovery: recordings made by each model in turn are compared with all of them. Which model wins on whose recording?
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fit/compare.h"
+#include "fit/plant.h"
+
+namespace swarmfit {
+
+struct RecoveryOptions {
+  std::vector<ModelChoice> planted;  // models that make recordings; compare.models must hold them, and may hold more
+  std::map<std::string, std::map<std::string, double>> set;  // planted parameters by model name, physical units; others as below
+  CompareOptions compare;
+  PlantOptions film;  // length, group and camera; its seed, start and scales are not used
+  Scales scales;      // of the planted swarms: parameters are the defaults of the fit table in these scales
+  int seeds = 10;     // recordings per model
+};
+
+struct RecoveryCase {
+  std::size_t planted;             // index into RecoveryOptions::planted
+  std::uint64_t seed;              // of the recording and of the comparison
+  std::vector<std::string> order;  // models by rank, those without a score last
+  std::vector<double> scores;      // in that order
+  std::vector<double> score_se;
+  double rank_of_planted = 0;
+};
+
+struct Recovery {
+  std::vector<std::string> planted, compared;   // canonical names
+  std::vector<std::vector<double>> parameters;  // planted, one per row of each model's table
+  std::vector<RecoveryCase> cases;              // by planted model, then seed
+  std::vector<std::vector<int>> confusion;      // planted × compared: how often was it ranked first?
+};
+
+// Planted parameters of a model: the fit table's defaults in these scales, with some set by name. Throws InputError on an unknown name.
+std::vector<double> planted_parameters(const ModelChoice& model, const Scales& scales, const std::map<std::string, double>& set = {});
+
+// One planted recording: agents start in a ball (disc) with the rms radius of the scales, at their speed, and are filmed after a warm-up of
+// two times L / V.
+Tracks planted_recording(const ModelChoice& model, const std::vector<double>& parameters, PlantOptions film, const Scales& scales,
+                         std::uint64_t seed);
+
+// Called after every case; returning false interrupts (Interrupted is thrown).
+using OnRecoveryCase = std::function<bool(const RecoveryCase&)>;
+Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case = {});
+
+}  // namespace swarmfit

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "reports/recovery_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "libtrack/file.h"
+#include "reports/number.h"
+#include "reports/tables.h"
+
+namespace swarmfit {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+int recordings(const Recovery& r, std::size_t planted) {
+  return static_cast<int>(std::count_if(r.cases.begin(), r.cases.end(), [&](const RecoveryCase& c) { return c.planted == planted; }));
+}
+
+int recovered(const Recovery& r, std::size_t planted) {
+  return static_cast<int>(
+      std::count_if(r.cases.begin(), r.cases.end(), [&](const RecoveryCase& c) { return c.planted == planted && c.rank_of_planted == 1; }));
+}
+
+std::vector<std::string> confusion_row(const Recovery& r, std::size_t p) {
+  std::vector<std::string> row{r.planted[p]};
+  for (const int n : r.confusion[p]) row.push_back(n > 0 ? std::to_string(n) : "·");
+  row.push_back(fmt::format("{} of {}", recovered(r, p), recordings(r, p)));
+  return row;
+}
+
+Json parameters(const Recovery& r, std::size_t p) {
+  Json out = Json::object();
+  const ModelChoice model = parse_model(r.planted[p]);
+  for (std::size_t k = 0; k < model.spec->parameters.size(); ++k)
+    if (model.spec->uses(k, model.options)) out[std::string(model.spec->parameters[k].name)] = r.parameters[p][k];
+  return out;
+}
+
+}  // namespace
+
+PaperTable confusion_table(const Recovery& r, const std::string& caption) {
+  PaperTable t{"confusion", caption, {"planted \\ ranked first"}, {}};
+  t.head.insert(t.head.end(), r.compared.begin(), r.compared.end());
+  t.head.emplace_back("recovered");
+  for (std::size_t p = 0; p < r.planted.size(); ++p) t.rows.push_back(confusion_row(r, p));
+  return t;
+}
+
+std::string recovery_text(const Recovery& r, TextStyle style) {
+  std::vector<Align> align(r.compared.size() + 2, Align::right);
+  align.front() = Align::left;
+  TextTable t(align, style);
+  const PaperTable confusion = confusion_table(r, "");
+  t.row(confusion.head, Paint::bold);
+  for (const auto& row : confusion.rows) t.row(row);
+  return style.unicode ? t.text() : ascii(t.text());
+}
+
+std::string recovery_csv(const Recovery& r) {
+  std::string out = "planted,seed,rank,model,score,score_se\n";
+  for (const RecoveryCase& c : r.cases)
+    for (std::size_t k = 0; k < c.order.size(); ++k)
+      out += fmt::format("{},{},{},{},{},{}\n", csv_field(r.planted[c.planted]), c.seed, k + 1, csv_field(c.order[k]), exact(c.scores[k]),
+                         exact(c.score_se[k]));
+  return out;
+}
+
+std::string to_json(const Recovery& r, const Settings& conditions) {
+  Json planted = Json::array(), cases = Json::array(), settings = Json::object();
+  for (const auto& [name, value] : conditions) settings[name] = value;
+  for (std::size_t p = 0; p < r.planted.size(); ++p)
+    planted.push_back({{"name", r.planted[p]},
+                       {"parameters", parameters(r, p)},
+                       {"ranked_first", r.confusion[p]},
+                       {"recovered", recovered(r, p)},
+                       {"recordings", recordings(r, p)}});
+  for (const RecoveryCase& c : r.cases)
+    cases.push_back(
+        {{"planted", r.planted[c.planted]}, {"seed", c.seed}, {"order", c.order}, {"scores", c.scores}, {"score_se", c.score_se}});
+  const Json all = {{"schema", "swarmfit-recovery/1"},
+                    {"conditions", std::move(settings)},
+                    {"compared", r.compared},
+                    {"planted", std::move(planted)},
+                    {"cases", std::move(cases)}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void write_recovery(const std::string& dir, const Recovery& r, const Settings& settings) {
+  check_run_directory(dir);
+  const fs::path root = dir, tables = root / "tables";
+  make_directory(tables.string());
+  const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
+  write(root / "config.toml", config_toml("recover", settings));
+  std::error_code no_such_file;
+  fs::remove(root / "recovery.json", no_such_file);
+  std::string conditions;
+  for (const auto& [name, value] : settings) conditions += fmt::format("{}{} {}", conditions.empty() ? "" : ", ", name, value);
+  const PaperTable t =
+      confusion_table(r, "Rows: the model that made the recordings; columns: how often each model was ranked first. " + conditions + ".");
+  write(tables / "confusion.md", to_markdown(t));
+  write(tables / "confusion.tex", to_latex(t));
+  write(tables / "cases.csv", recovery_csv(r));
+  write(root / "recovery.json", to_json(r, settings));
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// A model recovery as text, JSON, CSV, Markdown and LaTeX.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/recovery.h"
+#include "reports/paper_tables.h"
+#include "reports/run_directory.h"
+#include "reports/text_table.h"
+
+namespace swarmfit {
+
+std::string recovery_text(const Recovery&, TextStyle);             // the confusion matrix
+std::string to_json(const Recovery&, const Settings& conditions);  // "swarmfit-recovery/1"
+std::string recovery_csv(const Recovery&);                         // one row per case and model: planted, seed, rank, model, score, se
+PaperTable confusion_table(const Recovery&, const std::string& caption);  // "confusion"
+
+// Writes config.toml, tables/ and recovery.json, which comes last. Throws as write_run.
+void write_recovery(const std::string& dir, const Recovery&, const Settings& settings);
+
+}  // namespace swarmfit

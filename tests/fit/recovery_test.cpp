@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "fit/recovery.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+RecoveryOptions tiny() {
+  RecoveryOptions o;
+  o.compare.models = {parse_model("bswarm"), parse_model("boids")};
+  o.compare.budget = {"tiny", {8, 4, 1}, {4, 2, 2}, 2, 2, 2};
+  o.compare.conditions.error = ConditionOptions::Error::none;
+  o.planted = o.compare.models;
+  o.film.agents = 8;
+  o.film.frames = 60;
+  o.film.dt = 0.01;
+  o.film.unit = "mm";
+  o.scales = {100, 70, 225};
+  o.seeds = 2;
+  return o;
+}
+
+TEST(Recovery, PlantsTheFitTablesDefaultsInTheGivenScales) {
+  const auto model = parse_model("boids");
+  const Scales scales{100, 70, 225};
+  const auto values = planted_parameters(model, scales, {{"radius", 42}});
+  EXPECT_NEAR(values[static_cast<std::size_t>(model.spec->find("speed"))], 225, 1e-9);
+  EXPECT_EQ(values[static_cast<std::size_t>(model.spec->find("radius"))], 42);
+  EXPECT_NEAR(values[static_cast<std::size_t>(model.spec->find("tau"))], 0.5 * 100 / 225, 1e-12);
+  EXPECT_THROW(planted_parameters(model, scales, {{"gama", 1}}), InputError);
+}
+
+TEST(Recovery, RecordingsHaveTheScalesTheyWereAskedFor) {
+  const auto model = parse_model("boids");
+  RecoveryOptions o = tiny();
+  o.film.agents = 400;
+  o.film.frames = 2;
+  const Scales scales{100, 10, 50};
+  const Tracks t = planted_recording(model, planted_parameters(model, scales, {{"radius", 1e-3}}), o.film, scales, 3);
+  const Scales seen = natural_scales(t);
+  EXPECT_NEAR(seen.speed, 50, 1e-6) << "without neighbours everybody flies straight on";
+  // Straight flight for two crossing times L / V in all directions: the rms radius grows from L to sqrt(1 + 2²) L.
+  EXPECT_NEAR(seen.extent, 100 * std::sqrt(5.0), 15);
+}
+
+TEST(Recovery, EveryCaseIsCountedOnceAndTheSameSeedGivesTheSameAnswer) {
+  const RecoveryOptions o = tiny();
+  int told = 0;
+  const Recovery a = recover_models(o, [&](const RecoveryCase&) { return ++told, true; }), b = recover_models(o);
+  ASSERT_EQ(a.cases.size(), 4u);
+  EXPECT_EQ(told, 4);
+  for (std::size_t p = 0; p < 2; ++p) EXPECT_EQ(a.confusion[p][0] + a.confusion[p][1], 2);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(a.cases[k].scores, b.cases[k].scores);
+    const bool won = a.cases[k].order.front() == a.planted[a.cases[k].planted];
+    EXPECT_EQ(won, a.cases[k].rank_of_planted == 1);
+  }
+}
+
+TEST(Recovery, WhatIsNotFittedIsTheSameForAll) {
+  RecoveryOptions o = tiny();
+  o.planted = {parse_model("boids")};
+  o.seeds = 1;
+  o.compare.requests.set["bswarm.time_horizon"] = 0.123;  // and the user's own values win
+  const Recovery r = recover_models(o);
+  EXPECT_EQ(r.confusion.size(), 1u);
+  EXPECT_EQ(r.parameters[0], planted_parameters(o.planted[0], o.scales));
+}
+
+TEST(Recovery, PlantedModelsMustBeCompared) {
+  RecoveryOptions o = tiny();
+  o.planted = {parse_model("bswarm[noise=white]")};
+  EXPECT_THROW(recover_models(o), InputError);
+}
+
+TEST(Recovery, CanBeInterrupted) {
+  EXPECT_THROW(recover_models(tiny(), [](const RecoveryCase&) { return false; }), Interrupted);
+}
+
+}  // namespace
+}  // namespace swarmfit
