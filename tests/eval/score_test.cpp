@@ -121,5 +121,39 @@ TEST(Score, MayLeaveTheUnitIntervalForOtherModelsAndIsNaNWithoutAWeighedEnergy) 
   EXPECT_THROW(score(VectorXd::Zero(2), w), std::invalid_argument);
 }
 
+// Ren et al. 2016, supplement: weights of v, a, omega, alpha, mu, d, eta by number of models compared. With m models a column that is not
+// degenerate has 1 - e of at least 1 - ln(m - 1) / ln m and at most 1, which bounds every weight.
+struct Published {
+  const char* table;
+  int models;
+  std::array<double, 7> weights;
+};
+const std::array<Published, 12> kPublished{{{"S1", 4, {.1219, .1397, .1649, .1527, .1269, .1739, .1200}},
+                                            {"S2", 4, {.1270, .1381, .1541, .1739, .1405, .1396, .1268}},
+                                            {"S3", 4, {.1467, .1562, .1256, .1433, .1799, .1260, .1223}},
+                                            {"S4", 4, {.1288, .1499, .1544, .1503, .1561, .1293, .1312}},
+                                            {"S11", 3, {.1328, .1345, .1346, .1327, .1543, .1346, .1765}},
+                                            {"S12", 3, {.1285, .1640, .1330, .1404, .1432, .1527, .1382}},
+                                            {"S13", 3, {.1305, .1939, .1313, .1339, .1401, .1307, .1396}},
+                                            {"S14", 3, {.1328, .1341, .1327, .1669, .1400, .1447, .1487}},
+                                            {"S17", 5, {.1184, .1219, .1700, .1524, .1348, .1670, .1354}},
+                                            {"S18", 5, {.1345, .1669, .1319, .1261, .1405, .1547, .1454}},
+                                            {"S19", 5, {.1278, .1649, .1222, .1207, .1741, .1444, .1459}},
+                                            {"S20", 5, {.1257, .1461, .1246, .1311, .1577, .1565, .1583}}}};
+
+TEST(EntropyWeights, PublishedTablesAreWhatTheFormulaCanGive) {
+  for (const auto& [table, models, weights] : kPublished) {
+    SCOPED_TRACE(table);
+    const double least = 1 - std::log(models - 1.0) / std::log(models);
+    double sum = 0;
+    for (const double w : weights) {
+      sum += w;
+      EXPECT_GE(w, least / (least + 6));
+      EXPECT_LE(w, 1 / (1 + 6 * least));
+    }
+    EXPECT_NEAR(sum, 1, 3e-4) << "seven numbers rounded to four decimals";
+  }
+}
+
 }  // namespace
 }  // namespace swarmfit
