@@ -81,6 +81,16 @@ Eigen::Array3d NoiseField::potential(const Eigen::Array3d& x) const {
   return {perlin_[0](x + offset_[0]).value, perlin_[1](x + offset_[1]).value, perlin_[2](x + offset_[2]).value};
 }
 
+VectorPotential NoiseField::vector_potential(const Eigen::Array3d& x) const {
+  VectorPotential p;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [value, gradient] = perlin_[k](x + offset_[k]);
+    p.value[static_cast<Index>(k)] = value;
+    p.gradient.row(static_cast<Index>(k)) = gradient.transpose();
+  }
+  return p;
+}
+
 Eigen::Array3d NoiseField::curl(const Eigen::Array3d& x) const {
   const Eigen::Array3d p1 = perlin_[0](x + offset_[0]).gradient;
   const Eigen::Array3d p2 = perlin_[1](x + offset_[1]).gradient;

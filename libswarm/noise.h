@@ -18,6 +18,12 @@ struct Potential {
   Eigen::Array3d gradient;
 };
 
+// Values and gradients of the components of a vector field.
+struct VectorPotential {
+  Eigen::Array3d value;
+  Eigen::Array33d gradient;  // row k: the gradient of component k
+};
+
 // Improved Perlin noise: C2, period 256, zero at all lattice points, one lattice cell per unit of length.
 // Root-mean-square value 0.27, root-mean-square gradient 1.23; the value stays within ±1.04.
 class Perlin {
@@ -41,6 +47,9 @@ class NoiseField {
   explicit NoiseField(const Rng& rng);
 
   Eigen::Array3d potential(const Eigen::Array3d& x) const;
+
+  // The same with its gradients, for whoever bends the potential before taking the curl.
+  VectorPotential vector_potential(const Eigen::Array3d& x) const;
 
   // curl P = (∂P3/∂y - ∂P2/∂z, ∂P1/∂z - ∂P3/∂x, ∂P2/∂x - ∂P1/∂y): divergence-free; root-mean-square length 1.72.
   Eigen::Array3d curl(const Eigen::Array3d& x) const;

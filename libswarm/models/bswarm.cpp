@@ -479,6 +479,7 @@ ModelSpec bswarm_spec() {
           .dims = {2, 3},
           .native_dt = 0.01,
           .largest_dt = 1.0 / 40,  // gamma |v| dt = 0.5 at the upper bound of gamma and the recorded speed
+          .quiet = "noise=none",
           .options = option_table(),
           .columns = {"stimulus", "theta"},
           .parameters = parameter_table(),

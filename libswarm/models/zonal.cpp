@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+//
+// zonal – repulsion, orientation and attraction in nested zones, with a bounded rate of turning
+// ==============================================================================================
+// I. D. Couzin, J. Krause, R. James, G. D. Ruxton, N. R. Franks, Collective memory and spatial sorting in animal groups, J. Theor. Biol.
+// 218, 1-11, 2002 (doi:10.1006/jtbi.2002.3065), in the form of D. Strömbom, thesis, Uppsala University, 2013, section 1.2.1.
+//
+//   Every tau seconds each agent looks at the others, at distance d, offset r and with heading u, and takes a desired direction D:
+//     anybody at d <= R_r          D = - sum of r / d over them
+//     else                         O = sum of u over R_r < d <= R_o,   A = sum of r / d over R_o < d <= R_a
+//                                  D = (O + A) / 2, or the one of them whose zone is not empty
+//     nobody, or D = 0             D = own heading
+//   D is then turned by a random angle, normal with standard deviation sigma; in three dimensions about a random axis at right angles.
+//   The heading turns towards D at `turning` radians per second at most, while the agent flies at constant speed:
+//     u turned towards D by at most turning dt;  x = x + speed dt u
+//
+// Zones are stored as the widths of their shells: R_r = r_rep, R_o = r_rep + r_ori, R_a = r_rep + r_ori + r_att. Sums are not averaged: of
+// orientation and attraction the zone with more agents weighs more. Behind its back an agent is blind to orientation and attraction
+// within the angle `blind` (2002: 90°; thesis: none).
+//
+// With steps of tau this is the published rule, with step length delta = speed tau and largest turn theta_m = turning tau per step. In
+// finer steps an agent turns gradually between the same decisions: headings at decisions are the same, paths are arcs instead of corners,
+// and converge with the step. Decisions and their random numbers belong to multiples of tau, not to steps. A step longer than tau holds
+// one decision only.
+#include <cmath>
+#include <numbers>
+
+#include "libswarm/decision_clock.h"
+#include "libswarm/headings.h"
+#include "libswarm/noise.h"
+#include "libswarm/parallel.h"
+#include "libswarm/zones.h"
+
+namespace swarmfit {
+namespace {
+
+using Eigen::Array3d;
+
+// Rows of the parameter table, in its order.
+enum Row : std::size_t { kSpeed, kTurning, kSigma, kRRep, kROri, kRAtt, kBlind, kTau };
+
+// Private columns: the desired direction.
+enum Column : Index { kDesired };
+
+class Zonal : public Model {
+ public:
+  explicit Zonal(const Setup& setup) : dims_(setup.dims) {}
+
+  Index columns() const override { return 3; }
+
+  void enter(State& state, Index first, const World&, const StepContext& c) const override {
+    for (Index i = first; i < state.size(); ++i) state.own.row(i).segment<3>(kDesired) = own_heading(state, i, c.rng).transpose();
+  }
+
+  Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
+    const auto decision = decision_due(c, c.p[kTau]);
+    // Neighbours are those strictly nearer than the radius given, the outermost zone holds its edge.
+    if (decision) c.near.build(now.pos, world.bounds, (c.p[kRRep] + c.p[kROri] + c.p[kRAtt]) * (1 + 1e-12));
+    for_each_agent(now.size(), [&](Index i, std::size_t) {
+      const Array3d before = own_heading(now, i, c.rng);
+      Array3d goal = now.own.row(i).segment<3>(kDesired).transpose();
+      if (decision) goal = noisy(desired(now, i, before, c), now.id[static_cast<std::size_t>(i)], *decision, c);
+      const Array3d heading = turned_towards(before, goal, c.p[kTurning] * c.dt, aside(before, now.id[static_cast<std::size_t>(i)], c));
+      next.own.row(i).segment<3>(kDesired) = goal.transpose();
+      next.vel.row(i) = c.p[kSpeed] * heading.transpose();
+      next.pos.row(i) = now.pos.row(i) + c.dt * next.vel.row(i);
+    });
+    return Step::done;
+  }
+
+ private:
+  // Nobody is at rest: whoever starts without a velocity gets a direction of its own.
+  Array3d own_heading(const State& state, Index i, const Rng& rng) const {
+    const Array3d heading = heading_of(state.vel.row(i).transpose());
+    return (heading == 0).all() ? random_direction(rng, Stream::tie_break, 0, state.id[static_cast<std::size_t>(i)], 0, dims_) : heading;
+  }
+
+  Array3d desired(const State& now, Index i, const Array3d& heading, const StepContext& c) const {
+    const double r_rep = c.p[kRRep], r_ori = r_rep + c.p[kROri], r_att = r_ori + c.p[kRAtt];
+    const double seen_from = -std::cos(c.p[kBlind] / 2);  // least cosine of the angle to the heading
+    Array3d repulsion = Array3d::Zero(), orientation = Array3d::Zero(), attraction = Array3d::Zero();
+    int repelling = 0, orienting = 0, attracting = 0;
+    c.near.visit(i, [&](Index j, const Array3d& offset, double d) {
+      if (d <= r_rep) {
+        const auto draw = static_cast<std::uint32_t>(++repelling);
+        // Agents at one place have no direction from one to the other: one is drawn.
+        repulsion -= d < kCoincident ? random_direction(c.rng, Stream::tie_break, c.tick, now.id[static_cast<std::size_t>(i)], draw, dims_)
+                                     : Array3d(offset / d);
+        return;
+      }
+      if (repelling > 0 || d > r_att || d < kCoincident || (offset * heading).sum() < seen_from * d) return;
+      if (d <= r_ori) {
+        orientation += own_heading(now, j, c.rng);
+        ++orienting;
+      } else {
+        attraction += offset / d;
+        ++attracting;
+      }
+    });
+    Array3d sum = repulsion;
+    if (repelling == 0) sum = orienting > 0 && attracting > 0 ? Array3d((orientation + attraction) / 2) : Array3d(orientation + attraction);
+    const Array3d direction = heading_of(sum);
+    return (direction == 0).all() ? heading : direction;
+  }
+
+  Array3d noisy(const Array3d& direction, std::uint32_t id, std::uint64_t decision, const StepContext& c) const {
+    if (c.p[kSigma] == 0) return direction;
+    const double angle = c.p[kSigma] * c.rng.normal2(Stream::noise, decision, id, 0)[0];
+    const double round = 2 * std::numbers::pi * c.rng.uniform(Stream::noise, decision, id, 1);
+    return turned(direction, perpendicular(direction, round, dims_), angle);
+  }
+
+  // Where to turn when the desired direction is straight behind: one drawn for good, to the left or right in two dimensions.
+  Array3d aside(const Array3d& heading, std::uint32_t id, const StepContext& c) const {
+    const double u = c.rng.uniform(Stream::tie_break, 1, id);
+    const Array3d side = perpendicular(heading, 2 * std::numbers::pi * u, dims_);
+    return dims_ == 2 && u < 0.5 ? Array3d(-side) : side;
+  }
+
+  int dims_;
+};
+
+}  // namespace
+
+ModelSpec zonal_spec() {
+  using enum Parameter::Length;
+  constexpr double pi = std::numbers::pi, degree = pi / 180;
+  return {.name = "zonal",
+          .summary = "repulsion, orientation and attraction in nested zones, with a bounded rate of turning",
+          .citation = "Couzin et al. 2002, doi:10.1006/jtbi.2002.3065; in the form of Strömbom 2013, thesis, Uppsala",
+          .dims = {2, 3},
+          .native_dt = 0.1,
+          .largest_dt = 1.0 / 20,
+          .quiet = "sigma=0",
+          .options = {},
+          .columns = {"desired_x", "desired_y", "desired_z"},
+          .parameters =
+              {
+                  // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source
+                  {"speed", "s", {1, -1}, {3, 0.01, 100}, {1, 0.1, 4}, extent, true, true, "", "constant speed", "2002, Table 1"},
+                  {"turning",
+                   "θ",
+                   {0, -1},
+                   {40 * degree, 0.01, 100},
+                   {5, 0.2, 60},
+                   extent,
+                   true,
+                   true,
+                   "",
+                   "highest rate of turning [rad/s]",
+                   "2002, Table 1: 10-100 degrees per second"},
+                  {"sigma",
+                   "σ",
+                   {0, 0},
+                   {0.05, 0.001, pi},
+                   {0.2, 0.01, pi},
+                   extent,
+                   true,
+                   true,
+                   "",
+                   "error of a decision [rad]",
+                   "2002, Table 1: 0-11.5 degrees"},
+                  {"r_rep", "R_r", {1, 0}, {1, 0, 20}, {0.5, 0, 3}, spacing, false, true, "", "radius of repulsion", "2002, Table 1"},
+                  {"r_ori",
+                   "ΔR_o",
+                   {1, 0},
+                   {2, 0, 50},
+                   {1, 0, 10},
+                   spacing,
+                   false,
+                   true,
+                   "",
+                   "width of the shell of orientation",
+                   "2002, Table 1"},
+                  {"r_att",
+                   "ΔR_a",
+                   {1, 0},
+                   {14, 0, 50},
+                   {5, 0, 10},
+                   spacing,
+                   false,
+                   true,
+                   "",
+                   "width of the shell of attraction",
+                   "2002, Table 1"},
+                  {"blind",
+                   "",
+                   {0, 0},
+                   {0, 0, 2 * pi},
+                   {0, 0, 2 * pi},
+                   extent,
+                   false,
+                   false,
+                   "",
+                   "angle behind the back without orientation and attraction [rad]",
+                   "thesis: none; 2002: 90 degrees"},
+                  {"tau",
+                   "τ",
+                   {0, 1},
+                   {0.1, 1e-4, 10},
+                   {0.05, 0.01, 1},
+                   extent,
+                   true,
+                   false,
+                   "",
+                   "time between decisions",
+                   "2002, Table 1; in fits our choice"},
+              },
+          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Zonal>(setup); }};
+}
+
+}  // namespace swarmfit
