@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "libswarm/noise.h"
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -120,6 +121,11 @@ Eigen::Array3d random_direction(const Rng& rng, Stream stream, std::uint64_t tic
   const double z = dims == 2 ? 0 : 2 * u[1] - 1;  // Archimedes: uniform height is uniform on the sphere
   const double rho = std::sqrt(1 - z * z);
   return {rho * std::cos(angle), rho * std::sin(angle), z};
+}
+
+Eigen::Array3d parting_direction(const Rng& rng, std::uint64_t tick, std::uint32_t self, std::uint32_t other, int dims) {
+  const Eigen::Array3d direction = random_direction(rng, Stream::tie_break, tick, std::min(self, other), std::max(self, other), dims);
+  return self < other ? direction : Eigen::Array3d(-direction);
 }
 
 }  // namespace swarmfit

@@ -71,4 +71,7 @@ Eigen::Array3d gaussian_noise(const Rng& rng, std::uint64_t tick, std::uint32_t 
 // A direction, uniform on the sphere, or on the circle in two dimensions.
 Eigen::Array3d random_direction(const Rng& rng, Stream stream, std::uint64_t tick, std::uint32_t id, std::uint32_t draw, int dims);
 
+// The direction in which agent `self` leaves `other` when both are at the same place: opposite for the two, new every tick.
+Eigen::Array3d parting_direction(const Rng& rng, std::uint64_t tick, std::uint32_t self, std::uint32_t other, int dims);
+
 }  // namespace swarmfit

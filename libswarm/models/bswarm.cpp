@@ -42,7 +42,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "libswarm/avoidance.h"
+#include "libswarm/avoider.h"
 #include "libswarm/model.h"
 #include "libswarm/noise.h"
 #include "libswarm/parallel.h"
@@ -94,157 +94,52 @@ const std::vector<Option>& option_table() {
   return table;
 }
 
-const std::vector<Parameter>& parameter_table() {  // NOLINT(readability-function-size): a table
+const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
   constexpr std::string_view field = "noise=curl|perlin", on = "interaction=on", orca = "avoidance=orca";
+  constexpr std::string_view sde = "noise=white|gaussian,noise_scaling=sde", literal = "noise=white|gaussian,noise_scaling=literal";
+  // Rows longer than a line would be taken apart, one field a line:
+  // clang-format off
   static const std::vector<Parameter> table{
       // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source
       {"gamma", "γ", {-1, 0}, {11.16, 0.1, 20}, {1.5, 0.1, 20}, extent, true, true, "", "quadratic drag", "Eq 3; Table 1 Midge"},
-      {"noise",
-       "gain/scale",
-       {1, -2},
-       {2.51 / 2.20, 0, 40},
-       {2, 0, 20},
-       extent,
-       false,
-       true,
-       field,
-       "strength of the noise force (gain for Perlin noise)",
-       "Eq 4; Table 1 Midge"},
-      {"scale",
-       "scale",
-       {1, 0},
-       {2.20, 0.2, 5},
-       {0.5, 0.1, 3},
-       extent,
-       true,
-       true,
-       field,
-       "feature size of the noise field",
-       "Eq 4; Table 1 Midge"},
-      {"lambda",
-       "λ",
-       {1, -1.5},
-       {1, 0, 20},
-       {1, 0, 3},
-       extent,
-       false,
-       true,
-       "noise=white|gaussian,noise_scaling=sde",
-       "intensity of the random force",
-       "Eq 4; force times the square root of time"},
-      {"lambda_literal",
-       "λ",
-       {1, -2},
-       {1, 0, 20},
-       {5, 0, 20},
-       extent,
-       false,
-       true,
-       "noise=white|gaussian,noise_scaling=literal",
-       "amplitude of the random force, as printed",
-       "Eq 4"},
+      {"noise", "gain/scale", {1, -2}, {2.51 / 2.20, 0, 40}, {2, 0, 20}, extent, false, true, field,
+       "strength of the noise force (gain for Perlin noise)", "Eq 4; Table 1 Midge"},
+      {"scale", "scale", {1, 0}, {2.20, 0.2, 5}, {0.5, 0.1, 3}, extent, true, true, field,
+       "feature size of the noise field", "Eq 4; Table 1 Midge"},
+      {"lambda", "λ", {1, -1.5}, {1, 0, 20}, {1, 0, 3}, extent, false, true, sde,
+       "intensity of the random force", "Eq 4; force times the square root of time"},
+      {"lambda_literal", "λ", {1, -2}, {1, 0, 20}, {5, 0, 20}, extent, false, true, literal,
+       "amplitude of the random force, as printed", "Eq 4"},
       {"chi_rep", "χ_rep", {1, -2}, {5.61, 0, 30}, {5, 0, 20}, extent, false, true, on, "repulsion", "Eq 5; Table 1 Midge"},
       {"chi_att", "χ_att", {1, -2}, {14.29, 0, 40}, {5, 0, 20}, extent, false, true, on, "attraction", "Eq 5; Table 1 Midge"},
       {"r_rep", "r_rep", {1, 0}, {0.17, 0, 8}, {0.5, 0, 3}, spacing, false, true, on, "radius of repulsion", "Eq 5; Table 1 Midge"},
-      {"r_att",
-       "r_att*",
-       {1, 0},
-       {5.12, 0, 20},
-       {5, 0, 10},
-       spacing,
-       false,
-       true,
-       on,
-       "width of the shell of attraction",
-       "Eq 5; Table 1 Midge"},
+      {"r_att", "r_att*", {1, 0}, {5.12, 0, 20}, {5, 0, 10}, spacing, false, true, on,
+       "width of the shell of attraction", "Eq 5; Table 1 Midge"},
       {"chi_ali", "χ_ali", {1, -2}, {0, 0, 20}, {0, 0, 20}, extent, false, false, on, "alignment", "Eq 5; Table 1 Midge"},
-      {"r_ali",
-       "r_ali*",
-       {1, 0},
-       {0, 0, 12},
-       {0, 0, 10},
-       spacing,
-       false,
-       false,
-       on,
-       "width of the shell of alignment",
-       "Eq 5; Table 1 Midge"},
+      {"r_ali", "r_ali*", {1, 0}, {0, 0, 12}, {0, 0, 10}, spacing, false, false, on,
+       "width of the shell of alignment", "Eq 5; Table 1 Midge"},
       {"chi_res", "χ_res", {1, -2}, {0, 0, 60}, {0, 0, 60}, extent, false, false, "", "response to stimuli", "Eq 3; Table 1 Midge"},
       {"r_res", "r_res", {1, 0}, {0, 0, 25}, {0, 0, 25}, extent, false, false, "", "range of sight for stimuli", "Eq 3; Table 1 Midge"},
-      {"radius",
-       "r",
-       {1, 0},
-       {0.07, 0.001, 1},
-       {0.05, 0.01, 1},
-       spacing,
-       true,
-       true,
-       orca,
-       "radius of an agent for avoidance",
+      {"radius", "r", {1, 0}, {0.07, 0.001, 1}, {0.05, 0.01, 1}, spacing, true, true, orca, "radius of an agent for avoidance",
        "our choice; the fits of the avoidance baseline, Tables S17-S20, give 0.063-0.078"},
-      {"max_speed",
-       "v_max",
-       {1, -1},
-       {10, 0.1, 1000},
-       {50, 1, 1000},
-       extent,
-       true,
-       false,
-       orca,
-       "highest speed; must not clip v_pref",
-       "our choice"},
-      {"time_horizon",
-       "τ",
-       {0, 1},
-       {0.5, 0.01, 10},
-       {0.5, 0.01, 10},
-       extent,
-       true,
-       false,
-       orca,
-       "for how long collisions are avoided",
-       "our choice"},
-      {"neighbour_distance",
-       "d_max",
-       {1, 0},
-       {0, 0, 40},
-       {0, 0, 40},
-       spacing,
-       false,
-       false,
-       orca,
-       "range of avoidance; 0: ten times the radius",
-       "our choice; Table S17 0.4022"},
-      {"max_neighbours",
-       "k",
-       {0, 0},
-       {10, 1, 100},
-       {10, 1, 100},
-       extent,
-       false,
-       false,
-       orca,
-       "most neighbours avoided at once",
-       "Table S17 10.6",
-       true},
+      {"max_speed", "v_max", {1, -1}, {10, 0.1, 1000}, {50, 1, 1000}, extent, true, false, orca,
+       "highest speed; must not clip v_pref", "our choice"},
+      {"time_horizon", "τ", {0, 1}, {0.5, 0.01, 10}, {0.5, 0.01, 10}, extent, true, false, orca,
+       "for how long collisions are avoided", "our choice"},
+      {"neighbour_distance", "d_max", {1, 0}, {0, 0, 40}, {0, 0, 40}, spacing, false, false, orca,
+       "range of avoidance; 0: ten times the radius", "our choice; Table S17 0.4022"},
+      {"max_neighbours", "k", {0, 0}, {10, 1, 100}, {10, 1, 100}, extent, false, false, orca,
+       "most neighbours avoided at once", "Table S17 10.6", true},
   };
+  // clang-format on
   return table;
 }
 
-// Noise tables, and what avoidance needs to find neighbours without allocating.
 struct Buffers : Workspace {
-  explicit Buffers(const Rng& rng) : field(rng), threads(agent_threads()) {}
-
-  struct PerThread {
-    Neighbours::Scratch nearest;
-    std::vector<HalfSpace> allowed, scratch;
-    std::uint64_t infeasible = 0;
-  };
+  Buffers(const Rng& rng, int dims, Infeasible infeasible) : field(rng), avoider(dims, infeasible) {}
   NoiseField field;
-  Neighbours around;         // for avoidance
-  std::vector<double> hint;  // distance of the last neighbour found, by row
-  std::vector<PerThread> threads;
+  Avoider avoider;
 };
 
 class Bswarm : public Model {
@@ -262,7 +157,9 @@ class Bswarm : public Model {
         both_sides_(setup.options.at("response") == "both") {}
 
   Index columns() const override { return 2; }
-  std::unique_ptr<Workspace> workspace(const World&, const Rng& rng) const override { return std::make_unique<Buffers>(rng); }
+  std::unique_ptr<Workspace> workspace(const World&, const Rng& rng) const override {
+    return std::make_unique<Buffers>(rng, dims_, infeasible_);
+  }
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
     if (!implicit_drag_ && c.can_halve && too_fast(now, c)) return Step::halve_dt;
@@ -274,28 +171,23 @@ class Bswarm : public Model {
       if (interaction_) force += interaction(now, i, c);
       if (stimuli) force += response(now, next, i, *stimuli, world.bounds, c);
       Array3d v = preferred(now.vel.row(i).transpose(), force, c);
-      if (avoidance_) v = avoid(now, i, v, c, buffers, buffers.threads[thread]);
+      if (avoidance_) v = buffers.avoider.velocity(now, i, v, c, thread);
       for (Index axis = 0; axis < 3; ++axis) {
         next.vel(i, axis) = v[axis];
         next.pos(i, axis) = now.pos(i, axis) + v[axis] * c.dt;
       }
     });
-    return finish(c, buffers);
+    return avoidance_ ? buffers.avoider.end(c) : Step::done;
   }
 
  private:
   enum class Noise { curl, perlin, gaussian, white, none };
-  enum class Infeasible { zero, substep, min_penetration };
 
   static Noise parse_noise(std::string_view name) {
     if (name == "curl") return Noise::curl;
     if (name == "perlin") return Noise::perlin;
     if (name == "gaussian") return Noise::gaussian;
     return name == "white" ? Noise::white : Noise::none;
-  }
-  static Infeasible parse_infeasible(std::string_view name) {
-    if (name == "substep") return Infeasible::substep;
-    return name == "zero" ? Infeasible::zero : Infeasible::min_penetration;
   }
 
   // The explicit drag step reverses the motion of anybody with gamma |v| dt > 1.
@@ -309,27 +201,14 @@ class Bswarm : public Model {
     return fastest2 > limit * limit;
   }
 
-  static double neighbour_distance(const StepContext& c) {
-    return c.p[kNeighbourDistance] > 0 ? c.p[kNeighbourDistance] : 10 * c.p[kRadius];
-  }
-
   void prepare(const State& now, const World& world, const StepContext& c, Buffers& buffers) const {
     if (interaction_) {
       const double reach = c.p[kRRep] + c.p[kRAli] + c.p[kRAtt];
       c.near.build(now.pos, world.bounds, reach);
     }
     if (!avoidance_) return;
-    buffers.around.build(now.pos, world.bounds, neighbour_distance(c), Neighbours::Method::grid);
-    buffers.hint.resize(static_cast<std::size_t>(now.size()), 0.0);
-    for (auto& thread : buffers.threads) thread.infeasible = 0;
-  }
-
-  Step finish(const StepContext& c, const Buffers& buffers) const {
-    std::uint64_t infeasible = 0;
-    for (const auto& thread : buffers.threads) infeasible += thread.infeasible;
-    if (infeasible > 0 && infeasible_ == Infeasible::substep && c.can_halve) return Step::halve_dt;
-    c.count.infeasible_avoidance += infeasible;
-    return Step::done;
+    const double range = c.p[kNeighbourDistance] > 0 ? c.p[kNeighbourDistance] : 10 * c.p[kRadius];
+    buffers.avoider.begin(now, world.bounds, {c.p[kRadius], c.p[kMaxSpeed], c.p[kTimeHorizon], range, c.p[kMaxNeighbours]});
   }
 
   Array3d preferred(const Array3d& v, const Array3d& force, const StepContext& c) const {
@@ -433,35 +312,6 @@ class Bswarm : public Model {
     const double cosine = std::cos(theta), sine = std::sin(theta);
     if (dims_ == 2) return {cosine * a[0] - sine * a[1], sine * a[0] + cosine * a[1], 0};
     return {cosine * a[0] + sine * a[2], a[1], -sine * a[0] + cosine * a[2]};
-  }
-
-  // ---- collision avoidance --------------------------------------------------------------------------------------------------------
-
-  Array3d avoid(const State& now, Index i, const Array3d& v_pref, const StepContext& c, Buffers& buffers, Buffers::PerThread& mine) const {
-    const auto k = static_cast<std::size_t>(std::lround(c.p[kMaxNeighbours]));
-    const auto found = buffers.around.nearest(i, k, neighbour_distance(c), buffers.hint[static_cast<std::size_t>(i)], mine.nearest);
-    const Index self = buffers.around.slot(i);
-    const Eigen::Vector3d velocity = now.vel.row(i).transpose().matrix();
-    mine.allowed.clear();
-    for (const auto& other : found) {
-      const Index j = buffers.around.row(other.slot);
-      const Eigen::Vector3d relative = velocity - now.vel.row(j).transpose().matrix();
-      mine.allowed.push_back(reciprocal_half_space(buffers.around.offset(self, other.slot).matrix(), velocity, relative, 2 * c.p[kRadius],
-                                                   c.p[kTimeHorizon], c.dt, tie(now, i, j, c)));
-    }
-    const auto result = nearest_velocity(mine.allowed, v_pref.matrix(), c.p[kMaxSpeed]);
-    if (result.feasible) return flat(result.velocity.array());
-    ++mine.infeasible;
-    if (infeasible_ != Infeasible::min_penetration) return Array3d::Zero();
-    return flat(least_penetration(mine.allowed, v_pref.matrix(), c.p[kMaxSpeed], mine.scratch).array());
-  }
-
-  // The direction in which i leaves a j with the same place and velocity: opposite for the two.
-  Eigen::Vector3d tie(const State& now, Index i, Index j, const StepContext& c) const {
-    if ((now.pos.row(i) != now.pos.row(j)).any()) return Eigen::Vector3d::UnitX();  // not needed
-    const std::uint32_t a = now.id[static_cast<std::size_t>(i)], b = now.id[static_cast<std::size_t>(j)];
-    const Array3d direction = random_direction(c.rng, Stream::tie_break, c.tick, std::min(a, b), std::max(a, b), dims_);
-    return (a < b ? direction : Array3d(-direction)).matrix();
   }
 
   int dims_;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "libswarm/avoider.h"
+
+#include <cmath>
+
+#include "libswarm/noise.h"
+#include "libswarm/parallel.h"
+
+namespace swarmfit {
+
+using Eigen::Array3d;
+using Eigen::Vector3d;
+
+Infeasible parse_infeasible(std::string_view name) {
+  if (name == "substep") return Infeasible::substep;
+  return name == "zero" ? Infeasible::zero : Infeasible::min_penetration;
+}
+
+Avoider::Avoider(int dims, Infeasible infeasible) : dims_(dims), infeasible_(infeasible), threads_(agent_threads()) {}
+
+void Avoider::begin(const State& now, const Bounds& bounds, const Limits& limits) {
+  limits_ = limits;
+  around_.build(now.pos, bounds, limits.range, Neighbours::Method::grid);
+  hint_.resize(static_cast<std::size_t>(now.size()), 0.0);
+  for (auto& thread : threads_) thread.infeasible = 0;
+}
+
+Array3d Avoider::velocity(const State& now, Index i, const Array3d& preferred, const StepContext& c, std::size_t thread) {
+  PerThread& mine = threads_[thread];
+  const auto most = static_cast<std::size_t>(std::lround(limits_.neighbours));
+  const auto found = around_.nearest(i, most, limits_.range, hint_[static_cast<std::size_t>(i)], mine.nearest);
+  const Index self = around_.slot(i);
+  const Vector3d own = now.vel.row(i).transpose().matrix();
+  mine.allowed.clear();
+  for (const auto& other : found) {
+    const Index j = around_.row(other.slot);
+    const Vector3d relative = own - now.vel.row(j).transpose().matrix();
+    const bool together = (now.pos.row(i) == now.pos.row(j)).all();
+    const Array3d tie =
+        together ? parting_direction(c.rng, c.tick, now.id[static_cast<std::size_t>(i)], now.id[static_cast<std::size_t>(j)], dims_)
+                 : Array3d(1, 0, 0);  // not needed
+    mine.allowed.push_back(reciprocal_half_space(around_.offset(self, other.slot).matrix(), own, relative, 2 * limits_.radius,
+                                                 limits_.time_horizon, c.dt, tie.matrix()));
+  }
+  const auto flat = [this](const Vector3d& v) { return dims_ == 2 ? Array3d(v[0], v[1], 0) : Array3d(v.array()); };
+  const auto result = nearest_velocity(mine.allowed, preferred.matrix(), limits_.max_speed);
+  if (result.feasible) return flat(result.velocity);
+  ++mine.infeasible;
+  if (infeasible_ != Infeasible::min_penetration) return Array3d::Zero();
+  return flat(least_penetration(mine.allowed, preferred.matrix(), limits_.max_speed, mine.scratch));
+}
+
+Step Avoider::end(const StepContext& c) const {
+  std::uint64_t infeasible = 0;
+  for (const auto& thread : threads_) infeasible += thread.infeasible;
+  if (infeasible > 0 && infeasible_ == Infeasible::substep && c.can_halve) return Step::halve_dt;
+  c.count.infeasible_avoidance += infeasible;
+  return Step::done;
+}
+
+}  // namespace swarmfit
