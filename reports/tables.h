@@ -25,6 +25,7 @@ struct NamedTable {
 //   parameters.csv     one row per model and parameter, physical units
 //   pdfs.csv           one row per metric and bin: centre in physical units, density of the recording and of every model, per unit
 //   convergence.csv    best score so far against candidates simulated
+//   and those of reports/skill_tables.h
 std::vector<NamedTable> result_tables(const Comparison&);
 
 // Every candidate that was simulated: model, pass, phase, failed replicates, seven raw energies, parameters as "name=value;...".
