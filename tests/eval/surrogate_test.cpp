@@ -33,14 +33,14 @@ std::map<std::int64_t, Index> per_frame(const Tracks& t) {
   return out;
 }
 
-// Confined particles that come and go, with gaps; every position tells its track and frame.
+// They come and go, with gaps; every position tells its track and frame, and the group is too wide to count as travelling.
 Tracks visitors(std::uint32_t individuals, std::int64_t frames) {
   std::vector<Row> rows;
   for (std::uint32_t i = 0; i < individuals; ++i) {
     const auto enter = static_cast<std::int64_t>(test::uniform(1, 0, i) * 0.6 * static_cast<double>(frames));
     const auto leave = enter + static_cast<std::int64_t>((0.2 + 0.2 * test::uniform(1, 1, i)) * static_cast<double>(frames));
     for (std::int64_t k = enter; k < leave; ++k)
-      if (k != enter + 7) rows.push_back({i, k, {static_cast<double>(i), std::sin(0.1 * static_cast<double>(k)), static_cast<double>(k)}});
+      if (k != enter + 7) rows.push_back({i, k, {1000.0 * i, std::sin(0.1 * static_cast<double>(k)), static_cast<double>(k)}});
   }
   return tracks_of(rows);
 }
