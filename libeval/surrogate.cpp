@@ -12,8 +12,8 @@
 namespace swarmfit {
 namespace {
 
-constexpr int kCandidates =
-    4;  // shifts tried per track: one leaves the number per frame to chance, many would find the recorded moment again
+// Shifts tried per track: one would leave the number per frame to chance, many would find the recorded moment again.
+constexpr int kCandidates = 4;
 
 // A stretch of frames within which time may be shifted: the whole recording, or one take of it.
 struct Episode {
