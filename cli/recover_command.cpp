@@ -50,9 +50,9 @@ RecoveryOptions recovery_options(const RecoverArguments& a) {
 
 Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   std::vector<std::string> compared, planted;
-  for (const auto& m : o.compare.models) compared.push_back('"' + m.name + '"');
-  for (const auto& m : o.planted) planted.push_back('"' + m.name + '"');
-  const auto quoted = [](const std::string& text) { return '"' + text + '"'; };
+  const auto quoted = [](const std::string& text) { return fmt::format("\"{}\"", text); };
+  for (const auto& m : o.compare.models) compared.push_back(quoted(m.name));
+  for (const auto& m : o.planted) planted.push_back(quoted(m.name));
   Settings s{{"model", fmt::format("[{}]", fmt::join(compared, ", "))},
              {"plant", fmt::format("[{}]", fmt::join(planted, ", "))},
              {"seeds", std::to_string(a.seeds)},

@@ -9,6 +9,7 @@
 
 #include "fit/calibration.h"
 #include "fit/facts.h"
+#include "fit/judge.h"
 #include "fit/sensitivity.h"
 #include "libtrack/error.h"
 
@@ -183,20 +184,24 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   Calibration calibration(options, conditions, target, used, result.history, on_progress);
   calibration.run(result);
 
+  const Judge judge(conditions, result.observation.used, options.seed);
   for (std::size_t m = 0; m < options.models.size(); ++m) {
     const auto& search = calibration.searches()[m];
     result.models.push_back(fit_result(search, options.models[m], conditions, target, calibration.weighting()));
+    judge.judge(result.models.back(), search.objective(), search.space().parameters(search.selected().x), search.final_seeds());
     result.named.push_back(options.models[m].name);
     result.searched.emplace_back();
     for (const auto p : search.space().searched()) result.searched.back().emplace_back(options.models[m].spec->parameters[p].name);
   }
   rank(result.models);
+  judge.tell(result);
   result.weights = per_metric(calibration.weighting().weights);
   result.p1 = per_metric(calibration.weighting().p1);
   result.p2 = per_metric(calibration.weighting().p2);
   fill_sensitivity(result);
   fill_facts(result, recording, conditions, target, options);
   result.warnings = warnings_for(result);
+  for (auto& warning : warnings_of_skill(result)) result.warnings.push_back(std::move(warning));
   return result;
 }
 

@@ -68,6 +68,13 @@ Tracks Objective::simulate(const std::vector<double>& candidate, const Rng& seed
   return simulate(candidate, seed, finer, count, blew_up);
 }
 
+std::optional<Tracks> Objective::finished(const std::vector<double>& candidate, const Rng& seed) const {
+  Counters count;
+  bool blew_up = false;
+  Tracks seen = simulate(candidate, seed, 1, count, blew_up);
+  return blew_up ? std::nullopt : std::optional(std::move(seen));
+}
+
 Objective::Trial Objective::run(const std::vector<double>& candidate, const Rng& seed, int finer) const {
   Trial trial;
   const Tracks seen = simulate(candidate, seed, finer, trial.count, trial.failed);

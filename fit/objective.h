@@ -2,6 +2,7 @@
 // From parameters to energies: simulate under the recording's conditions, observe, measure, compare.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,9 @@ class Objective {
 
   // The observed tracks of one run: what evaluate() measures.
   Tracks simulate(const std::vector<double>& candidate, const Rng& seed, int finer = 1) const;
+
+  // The same; nothing if the run blew up.
+  std::optional<Tracks> finished(const std::vector<double>& candidate, const Rng& seed) const;
 
   int substeps() const { return plan_.substeps; }
 

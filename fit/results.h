@@ -2,11 +2,13 @@
 // What a fit and a comparison found: plain values with every number a report needs. Written to disk by reports/.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "libeval/energy.h"
+#include "libeval/panel.h"
 #include "libeval/score.h"
 #include "libtrack/tracks.h"
 
@@ -76,6 +78,38 @@ struct Sensitivity {
   PerMetric<int> rank_without{};
 };
 
+// A number and its standard error; NaN: undefined.
+struct Estimate {
+  double value = NAN, se = NAN;
+};
+
+// The scale of skill, which the recording sets alone (libeval/skill.h).
+struct SkillFacts {
+  PerMetric<double> floor{}, floor_sd{};     // total variation distance between halves of the recording; NaN undefined
+  PerMetric<double> null{};                  // of the surrogates without interaction (d, eta) or without memory of direction (the others)
+  PerMetric<bool> informative{};             // the null is farther than the floor by more than two of its standard deviations
+  double mean_floor = NAN, mean_null = NAN;  // over the metrics of the score
+  double interaction_p[2] = {NAN, NAN};      // of d and eta: is the recording like its own tracks shifted in time?
+  int surrogates = 0;                        // behind interaction_p
+};
+
+// What was measured and not fitted (libeval/panel.h), and what the recording says.
+struct PanelFacts {
+  std::vector<PanelItem> items;
+  std::vector<Estimate> recording;       // per item; standard error over blocks of time
+  std::vector<double> lags;              // of the velocity autocorrelation [s]
+  std::vector<Estimate> recording_vacf;  // per lag
+};
+
+// The ranking of the others, from the same energies, when one model is not compared.
+struct LeftOut {
+  std::string model;
+  PerMetric<double> weights{};
+  std::vector<std::pair<std::string, double>> ranking;  // names and scores, best first
+  bool reordered = false;                               // two of the others change places
+  bool winner_changed = false;                          // another than the first leads, the first not being the one left out
+};
+
 // Everything about one model in a comparison (or the only one of a fit).
 struct FitResult {
   std::string model;  // canonical name with settings: "bswarm[noise=white]"
@@ -102,6 +136,11 @@ struct FitResult {
   int substeps = 1;                 // n_sub
   double infeasible_avoidance = 0;  // share of final agent-steps without a collision-free velocity
   std::vector<ConvergencePoint> convergence;
+  Estimate skill;                       // 1: as alike as the recording is to itself, 0: as its surrogates; over final replicates
+  PerMetric<double> total_variation{};  // mean over single final replicates, of halves against halves: the D of the skill
+  PerMetric<double> wasserstein{};      // mean over single final replicates [sd of the recording]
+  std::vector<Estimate> panel;          // per item of PanelFacts
+  std::vector<Estimate> vacf;           // per lag of PanelFacts
 };
 
 // One row of history.csv: a candidate that was simulated.
@@ -140,6 +179,9 @@ struct Comparison {
   std::vector<std::string> named;                  // canonical names in the order given
   std::vector<std::vector<std::string>> searched;  // names of the searched parameters, per named model
   std::vector<HistoryRow> history;
+  SkillFacts skill;
+  std::vector<LeftOut> without;  // per model by rank; empty for fewer than three
+  PanelFacts panel;
   std::vector<std::string> warnings;                        // sentences a reader must see before believing the table
   std::vector<std::pair<std::string, std::string>> config;  // every resolved flag of the command, name and TOML value, for config.toml
 };

@@ -95,7 +95,7 @@ Html warnings(const Comparison& c) {
 
 Html ranking(const Comparison& c) {
   HtmlTable table("Models by score, with their raw energies");
-  Cells head = {column("rank", true), column("model"), column("score ± se", true), column("score, 95 %")};
+  Cells head = {column("rank", true), column("model"), column("score ± se", true), column("score, 95 %"), column("skill ± se", true)};
   metric_heads(c, head);
   head.push_back(column("tried", true));
   table.head(head);
@@ -109,11 +109,12 @@ Html ranking(const Comparison& c) {
                    number_cell(plus_minus(r.score, r.score_se, 3))};
     cells.push_back(
         {.content = interval_drawing(r.score, r.score - 1.96 * r.score_se, r.score + 1.96 * r.score_se, scale.lower, scale.upper, k)});
+    cells.push_back(number_cell(plus_minus(r.skill.value, r.skill.se, 2)));
     metric_columns(c, cells, [&](std::size_t m) { return fixed(r.raw_energies[m], 2); });
     cells.push_back(number_cell(counted(r.evaluations)));
     table.row(cells, r.rank == 1 ? "first" : "");
   }
-  Cells foot = {text_cell(""), name_cell(markup("weight in the score")), text_cell(""), text_cell("")};
+  Cells foot = {text_cell(""), name_cell(markup("weight in the score")), text_cell(""), text_cell(""), text_cell("")};
   metric_columns(c, foot, [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 3) : kUndefined; });
   foot.push_back(text_cell(""));
   return table.foot(foot).html();

@@ -22,6 +22,9 @@ Html search(const Comparison&);
 Html observation(const Comparison&);
 Html methods(const Comparison&);  // a paragraph to paste
 Html model_references(const Comparison&);
+Html skill(const Comparison&);    // distances, floor and null; interaction
+Html without(const Comparison&);  // rankings with one model left out
+Html panel(const Comparison&);    // what was not fitted
 Html provenance(const Comparison&);
 
 }  // namespace swarmfit::sections

@@ -2,6 +2,7 @@
 #include "reports/tables.h"
 
 #include "reports/number.h"
+#include "reports/skill_tables.h"
 #include "reports/words.h"
 
 namespace swarmfit {
@@ -176,9 +177,12 @@ std::vector<double> physical_density(const Histogram& histogram, double width) {
 }
 
 std::vector<NamedTable> result_tables(const Comparison& c) {
-  return {{"ranking.csv", ranking(c)}, {"energies.csv", energies(c)},           {"raw_energies.csv", raw_energies(c)},
-          {"weights.csv", weights(c)}, {"normalisation.csv", normalisation(c)}, {"parameters.csv", parameters(c)},
-          {"pdfs.csv", pdfs(c)},       {"convergence.csv", convergence(c)},     {"sensitivity.csv", sensitivity(c)}};
+  std::vector<NamedTable> out = {
+      {"ranking.csv", ranking(c)}, {"energies.csv", energies(c)},           {"raw_energies.csv", raw_energies(c)},
+      {"weights.csv", weights(c)}, {"normalisation.csv", normalisation(c)}, {"parameters.csv", parameters(c)},
+      {"pdfs.csv", pdfs(c)},       {"convergence.csv", convergence(c)},     {"sensitivity.csv", sensitivity(c)}};
+  for (NamedTable& table : skill_tables(c)) out.push_back(std::move(table));
+  return out;
 }
 
 std::string history_csv(const Comparison& c) {

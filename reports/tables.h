@@ -26,6 +26,7 @@ struct NamedTable {
 //   pdfs.csv           one row per metric and bin: centre in physical units, density of the recording and of every model, per unit
 //   sensitivity.csv    one row per model and metric: score and rank when its weight is dropped, score when it is doubled
 //   convergence.csv    best score so far against candidates simulated
+//   and those of reports/skill_tables.h
 std::vector<NamedTable> result_tables(const Comparison&);
 
 // Every candidate that was simulated: model, pass, phase, failed replicates, seven raw energies, parameters as "name=value;...".

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -48,24 +49,24 @@ std::string data_line(const DataFacts& d) {
 }
 
 TextTable ranking_table(const Comparison& c, TextStyle style) {
-  std::vector<Align> align = {Align::right, Align::left, Align::right};
+  std::vector<Align> align = {Align::right, Align::left, Align::right, Align::right};
   align.insert(align.end(), kMetrics + 1, Align::right);
   TextTable table(align, style);
 
-  std::vector<std::string> head = {"rank", "model", "score ± se"};
+  std::vector<std::string> head = {"rank", "model", "score ± se", "skill"};
   for (std::size_t m = 0; m < kMetrics; ++m) head.push_back(counts(c, m) ? metric_symbol(m, style) : '(' + metric_symbol(m, style) + ')');
   head.push_back("tried");
   table.row(head, Paint::bold);
 
   for (const FitResult& r : c.models) {
     std::vector<std::string> cells = {r.rank > 0 ? std::to_string(r.rank) : kUndefined, r.model + (at_bounds(r).empty() ? "" : " *"),
-                                      plus_minus(r.score, r.score_se, 3, style)};
+                                      plus_minus(r.score, r.score_se, 3, style), fixed(r.skill.value, 2)};
     for (const double energy : r.raw_energies) cells.push_back(fixed(energy, 2));
     cells.push_back(counted(r.evaluations));
     table.row(cells, r.rank == 1 ? Paint::good : Paint::plain);
   }
 
-  std::vector<std::string> weights = {"", "weight in score", ""};
+  std::vector<std::string> weights = {"", "weight in score", "", ""};
   for (std::size_t m = 0; m < kMetrics; ++m) weights.push_back(counts(c, m) ? fixed(c.weights[m], 2) : kUndefined);
   table.row(weights, Paint::dim);
   return table;
@@ -76,6 +77,42 @@ std::vector<std::string> left_out(const Comparison& c, TextStyle style) {
   for (std::size_t m = 0; m < kMetrics; ++m)
     if (!counts(c, m)) out.push_back(fmt::format("({}) {}: {}", metric_symbol(m, style), kMetricInfo[m].name, why_left_out(c, m)));
   return out;
+}
+
+bool finite_skill(const Comparison& c) {
+  return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return std::isfinite(r.skill.value); });
+}
+
+std::size_t panel_index(const PanelFacts& panel, std::string_view key) {
+  const auto at = std::find_if(panel.items.begin(), panel.items.end(), [&](const PanelItem& item) { return item.key == key; });
+  return static_cast<std::size_t>(at - panel.items.begin());
+}
+
+// A few of the observables that were not fitted, the recording in the first row.
+std::string panel_text(const Comparison& c, TextStyle style) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShown{{{"vacf_zero", "velocity reverses [s]"},
+                                                                                 {"k_x", "restoring x [1/s²]"},
+                                                                                 {"polarisation", "polarisation"},
+                                                                                 {"nearest_ratio", "nearest/Poisson"},
+                                                                                 {"kurtosis", "kurtosis a"}}};
+  if (c.panel.recording.empty()) return {};
+  std::vector<Align> align(kShown.size() + 1, Align::right);
+  align.front() = Align::left;
+  TextTable table(align, style);
+  std::vector<std::string> head = {"not fitted"};
+  for (const auto& [key, title] : kShown) head.emplace_back(title);
+  table.row(head, Paint::bold);
+  const auto row = [&](const std::string& name, const std::vector<Estimate>& values, Paint paint) {
+    std::vector<std::string> cells = {name};
+    for (const auto& [key, title] : kShown) {
+      const std::size_t k = panel_index(c.panel, key);
+      cells.push_back(k < values.size() ? rounded(values[k].value, 2) : kUndefined);
+    }
+    table.row(cells, paint);
+  };
+  row("recording", c.panel.recording, Paint::plain);
+  for (const FitResult& r : c.models) row(r.model, r.panel, r.rank == 1 ? Paint::good : Paint::plain);
+  return '\n' + table.text();
 }
 
 bool any_on_bounds(const Comparison& c) {
@@ -100,8 +137,11 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
 
   const TextTable table = ranking_table(c, style);
   const std::string over = fmt::format("raw energy per metric (0 alike .. {} disjoint)", brief(worst_energy(c.binning)));
-  out += std::string(table.column_start(3), ' ') + paint(over, Paint::dim, style) + '\n' + table.text();
+  out += std::string(table.column_start(4), ' ') + paint(over, Paint::dim, style) + '\n' + table.text();
   if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
+
+  out += finite_skill(c) ? " skill: 1 as alike as the recording is to itself, 0 no better than its surrogates\n" : "";
+  out += panel_text(c, style);
 
   out += bullets("In brackets: shown, but left out of the score", left_out(c, style), Paint::bold, style);
   out += bullets("Simulations that blew up (counted as the worst energy)", failures(c), Paint::warning, style);

@@ -117,6 +117,13 @@ std::string density_unit(std::size_t metric, const std::string& length_unit) {
   return unit.find('/') == std::string::npos ? "1/" + unit : "1/(" + unit + ')';
 }
 
+std::string panel_unit(const PanelItem& item, const std::string& length_unit) {
+  std::string above;
+  if (item.length != 0) above = power(length_unit.empty() ? "unit" : length_unit, item.length);
+  if (item.time > 0) above += (above.empty() ? "" : " ") + power("s", item.time);
+  return item.time < 0 ? (above.empty() ? "1" : above) + '/' + power("s", -item.time) : above;
+}
+
 std::vector<std::string> at_bounds(const FitResult& r) {
   std::vector<std::string> names;
   for (const ParameterResult& p : r.parameters)

@@ -38,6 +38,9 @@ double worst_energy(const Binning&);
 std::string metric_unit(std::size_t metric, const std::string& length_unit);
 std::string density_unit(std::size_t metric, const std::string& length_unit);
 
+// Unit of an observable of the panel: "mm²", "s", "1/s²"; empty for a pure number.
+std::string panel_unit(const PanelItem&, const std::string& length_unit);
+
 // Names of the parameters that ended on a bound of their search.
 std::vector<std::string> at_bounds(const FitResult&);
 

@@ -77,6 +77,13 @@ FitResult fit_result(const Comparison& c, const Sketch& sketch, int rank) {
   r.stop_reason = "stalled";
   r.substeps = 2;
   r.infeasible_avoidance = 0.0021;
+  r.skill = {sketch.score - 0.1, 0.02};
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    r.total_variation[m] = r.raw_energies[m] / 20;
+    r.wasserstein[m] = r.raw_energies[m] / 5;
+  }
+  for (const Estimate& e : c.panel.recording) r.panel.push_back({sketch.stretch * e.value, 0.5 * e.se});
+  for (const Estimate& e : c.panel.recording_vacf) r.vacf.push_back({std::pow(e.value, 2), 0.5 * e.se});
   for (int pass = 1; pass <= 3; ++pass)
     for (int k = 1; k <= 20; ++k)
       r.convergence.push_back({pass, 800 * (pass - 1) + 40 * k, sketch.score - 0.4 * std::exp(-0.25 * k - 1.5 * (pass - 1))});
@@ -116,12 +123,44 @@ void add_weights(Comparison& c) {
   c.weights_converged = true;
 }
 
+void add_skill(Comparison& c) {
+  SkillFacts& s = c.skill;
+  s.floor = {0.021, 0.03, 0.025, 0.02, 0.033, 0.04, 0.038};
+  s.floor_sd = {0.004, 0.005, 0.004, 0.003, 0.006, 0.009, 0.007};
+  s.null = {0.02, 0.51, 0.73, 0.44, 0.62, 0.09, 0.04};
+  s.informative = {false, true, true, true, true, true, false};
+  s.mean_floor = 0.03;
+  s.mean_null = 0.28;
+  s.interaction_p[0] = 0.01;
+  s.interaction_p[1] = 0.48;
+  s.surrogates = 99;
+  const PanelPlan plan{3, 0.01, {0, 1, 2, 4}, {12, 25, 50, 100}};
+  c.panel.items = plan.items();
+  for (std::size_t k = 0; k < c.panel.items.size(); ++k) c.panel.recording.push_back({1.5 + 0.5 * static_cast<double>(k), 0.1});
+  for (const Index lag : plan.vacf_lags) {
+    c.panel.lags.push_back(static_cast<double>(lag) * plan.dt);
+    c.panel.recording_vacf.push_back({1 - 0.1 * static_cast<double>(lag), 0.02});
+  }
+}
+
+// Without each model the others keep their order, but without the second the last two change places.
+void add_without(Comparison& c) {
+  for (std::size_t left = 0; left < c.models.size() && c.models.size() > 2; ++left) {
+    LeftOut w{c.models[left].model, c.weights, {}, left == 1, false};
+    for (std::size_t k = 0; k < c.models.size(); ++k)
+      if (k != left) w.ranking.emplace_back(c.models[k].model, c.models[k].score);
+    if (w.reordered) std::swap(w.ranking[w.ranking.size() - 1], w.ranking[w.ranking.size() - 2]);
+    c.without.push_back(w);
+  }
+}
+
 }  // namespace
 
 Comparison sample_comparison(const std::vector<Sketch>& models) {
   Comparison c;
   add_facts(c);
   add_weights(c);
+  add_skill(c);
   c.defined.fill(true);
   for (std::size_t m = 0; m < kMetrics; ++m) {
     c.recording[m] = distribution(m, 1);
@@ -135,6 +174,7 @@ Comparison sample_comparison(const std::vector<Sketch>& models) {
     c.searched.push_back({"gamma", "chi_att", "r_rep"});
     c.history.push_back({static_cast<std::size_t>(rank - 1), 1, "search", {0.01, 2100, 12.5}, c.models.back().raw_energies, 0});
   }
+  add_without(c);
   return c;
 }
 

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "libeval/skill.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "libeval/distance.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kBlocks = HalfDistance::kBlocks;
+constexpr unsigned kAll = (1U << kBlocks) - 1;
+constexpr std::size_t kFewestFrames = 4 * kBlocks;  // a jerk needs four
+
+Histogram sum_of(const HalfDistance::Blocks& blocks, std::size_t metric, unsigned mask) {
+  Histogram sum;
+  for (std::size_t b = 0; b < kBlocks; ++b)
+    if (mask >> b & 1U) sum.add(blocks[b][metric]);
+  return sum;
+}
+
+// Total variation over all choices of half the blocks: of `a` those chosen, of `b` the rest.
+Moments over_halves(const HalfDistance::Blocks& a, const HalfDistance::Blocks& b, std::size_t metric) {
+  Moments moments;
+  for (unsigned mask = 0; mask <= kAll; ++mask)
+    if (std::popcount(mask) == kBlocks / 2) moments.add(total_variation(sum_of(a, metric, mask), sum_of(b, metric, kAll & ~mask)));
+  return moments;
+}
+
+// The rows of frames [first, last), with no memory of the rest.
+Tracks cut(const Tracks& tracks, std::int64_t first, std::int64_t last) {
+  const auto frame = tracks.frame();
+  const auto begin = std::lower_bound(frame.begin(), frame.end(), first) - frame.begin();
+  const auto end = std::lower_bound(frame.begin(), frame.end(), last) - frame.begin();
+  TrackColumns c;
+  c.names.resize(tracks.track_count());  // nobody reads them
+  c.track.assign(tracks.track().begin() + begin, tracks.track().begin() + end);
+  c.frame.assign(frame.begin() + begin, frame.begin() + end);
+  c.pos = tracks.pos().middleRows(begin, end - begin);
+  if (tracks.has_velocity()) c.vel = tracks.vel().middleRows(begin, end - begin);
+  c.episodes.assign(tracks.episodes().begin(), tracks.episodes().end());
+  TrackMeta meta = tracks.meta();
+  meta.from = {};
+  return Tracks(std::move(c), std::move(meta));
+}
+
+}  // namespace
+
+HalfDistance::HalfDistance(const Tracks& recording, const MetricOptions& options)
+    : options_(options), target_(metric_samples(recording, options), Binning::standard(Normalisation::reference)) {
+  floor_.fill(kNaN);
+  floor_sd_.fill(kNaN);
+  const auto frames = recording.frames();
+  if (frames.size() < kFewestFrames) return;
+  for (std::size_t b = 0; b < kBlocks; ++b) first_frame_.push_back(frames[b * frames.size() / kBlocks].number);
+  recording_ = blocks(recording);
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    const Moments moments = over_halves(recording_, recording_, m);
+    if (moments.count == 0) continue;
+    floor_[m] = moments.mean;
+    floor_sd_[m] = moments.sd();
+  }
+}
+
+HalfDistance::Blocks HalfDistance::blocks(const Tracks& tracks) const {
+  Blocks out;
+  constexpr std::int64_t kBefore = std::numeric_limits<std::int64_t>::min(), kAfter = std::numeric_limits<std::int64_t>::max();
+  for (std::size_t b = 0; b < first_frame_.size(); ++b) {
+    const Tracks part = cut(tracks, b == 0 ? kBefore : first_frame_[b], b + 1 < kBlocks ? first_frame_[b + 1] : kAfter);
+    const auto distributions = target_.distributions(metric_samples(part, options_));
+    for (std::size_t m = 0; m < kMetrics; ++m) out[b][m] = distributions[m].histogram;
+  }
+  return out;
+}
+
+PerMetric<double> HalfDistance::to(const Blocks& other, const PerMetric<bool>& wanted) const {
+  PerMetric<double> out;
+  out.fill(kNaN);
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    if (!wanted[m]) continue;
+    const Moments moments = over_halves(recording_, other, m);
+    if (moments.count > 0) out[m] = moments.mean;
+  }
+  return out;
+}
+
+PerMetric<Histogram> HalfDistance::pooled(const Blocks& blocks) {
+  PerMetric<Histogram> out;
+  for (std::size_t m = 0; m < kMetrics; ++m) out[m] = sum_of(blocks, m, kAll);
+  return out;
+}
+
+double HalfDistance::bin_width() const {
+  const Binning& b = target_.binning();
+  return (b.upper - b.lower) / b.bins;
+}
+
+double SkillScale::skill(double distance) const { return null > floor ? 1 - (distance - floor) / (null - floor) : kNaN; }
+
+double SkillScale::slope() const { return null > floor ? 1 / (null - floor) : kNaN; }
+
+double mean_used(const PerMetric<double>& values, const PerMetric<bool>& used) {
+  double sum = 0, count = 0;
+  for (std::size_t m = 0; m < kMetrics; ++m)
+    if (used[m]) sum += values[m], ++count;
+  return count > 0 ? sum / count : kNaN;
+}
+
+SkillScale skill_scale(const PerMetric<double>& floor, const PerMetric<double>& null, const PerMetric<bool>& used) {
+  return {mean_used(floor, used), mean_used(null, used)};
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// The parts that stand beside the score: skill, rankings with one model left out, and what was not fitted.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "reports/html_sections.h"
+#include "reports/number.h"
+#include "reports/words.h"
+
+namespace swarmfit::sections {
+
+namespace {
+
+using Cells = std::vector<HtmlTable::Cell>;
+
+std::string plus_minus(const Estimate& e) { return std::isfinite(e.se) ? rounded(e.value) + " ± " + rounded(e.se, 2) : rounded(e.value); }
+
+// How many standard errors a model is off; empty if that is unknown.
+double in_errors(const Estimate& model, const Estimate& recording) {
+  return std::abs(model.value - recording.value) / std::hypot(model.se, recording.se);
+}
+
+template <class Text>
+void metric_row(HtmlTable& table, const Comparison& c, const Html& title, Text text) {
+  Cells cells = {name_cell(title)};
+  for (std::size_t m = 0; m < kMetrics; ++m) cells.push_back(number_cell(text(m), !counts(c, m)));
+  table.row(cells);
+}
+
+std::string interaction_text(const SkillFacts& s) {
+  if (!std::isfinite(s.interaction_p[0])) return {};
+  return fmt::format(
+      "Is there interaction to be seen? Against {} recordings made of the same tracks shifted in time, the distances to the nearest "
+      "neighbour have p = {}, the velocity differences p = {}.",
+      s.surrogates, rounded(s.interaction_p[0], 2), rounded(s.interaction_p[1], 2));
+}
+
+}  // namespace
+
+Html skill(const Comparison& c) {
+  HtmlTable table("Distance to the recording (total variation, 0 to 1), half against half");
+  Cells head = {column("")};
+  for (std::size_t m = 0; m < kMetrics; ++m) head.push_back(column(kMetricInfo[m].symbol, true, !counts(c, m)));
+  table.head(head);
+  const SkillFacts& s = c.skill;
+  metric_row(table, c, markup("recording against itself (floor)"), [&](std::size_t m) { return fixed(s.floor[m], 3); });
+  metric_row(table, c, markup("surrogates (null)"), [&](std::size_t m) { return fixed(s.null[m], 3); });
+  metric_row(table, c, markup("tells them apart"), [&](std::size_t m) { return std::string(s.informative[m] ? "yes" : "no"); });
+  for (std::size_t k = 0; k < c.models.size(); ++k) {
+    Html name = key_drawing(k);
+    name += escaped(c.models[k].model);
+    metric_row(table, c, name, [&](std::size_t m) { return fixed(c.models[k].total_variation[m], 3); });
+  }
+  Html out = element(
+      "p", "",
+      markup(
+          "Skill = 1 − (D − floor)/(null − floor), D being the mean distance over the metrics of the score. The floor compares halves of "
+          "the recording, the models and surrogates as many samples. The null is, for d and η, the recording's own tracks shifted in time "
+          "against each other (no interaction), for the others a walker that makes the recorded steps in shuffled directions. The walker "
+          "keeps the recorded speeds, so v never tells them apart; a model that gets v wrong pays all the same."));
+  out += table.html();
+  out += element("p", "", escaped(interaction_text(s)));
+  return out;
+}
+
+Html without(const Comparison& c) {
+  if (c.without.empty()) return {};
+  HtmlTable table("The ranking if one model had not been compared");
+  table.head({column("without"), column("ranking of the others (score)"), column("order")});
+  for (const LeftOut& w : c.without) {
+    std::string ranking;
+    for (const auto& [model, score] : w.ranking) ranking += fmt::format("{}{} ({})", ranking.empty() ? "" : ", ", model, fixed(score, 3));
+    table.row({name_cell(escaped(w.model)), text_cell(ranking),
+               text_cell(w.winner_changed ? "another winner"
+                         : w.reordered    ? "changed"
+                                          : "the same")});
+  }
+  return table.html();
+}
+
+Html panel(const Comparison& c) {
+  HtmlTable table("Observables that no search saw");
+  Cells head = {column("observable"), column("unit"), column("recording", true)};
+  for (const FitResult& r : c.models) head.push_back(column(r.model, true));
+  table.head(head);
+  for (std::size_t k = 0; k < c.panel.items.size(); ++k) {
+    const PanelItem& item = c.panel.items[k];
+    const Estimate& real = c.panel.recording[k];
+    Cells cells = {name_cell(escaped(item.name)), text_cell(panel_unit(item, c.data.unit)), number_cell(plus_minus(real))};
+    for (const FitResult& r : c.models) {
+      const double off = in_errors(r.panel[k], real);
+      cells.push_back(number_cell(plus_minus(r.panel[k]), std::isfinite(off) && off > 2));
+    }
+    table.row(cells);
+  }
+  Html out = table.html();
+  out +=
+      element("p", "note",
+              markup("± is one standard error: of the recording over blocks of time, of a model over its final replicates. Pale: more than "
+                     "two standard errors from the recording. The curves of the velocity autocorrelation are in tables/vacf.csv."));
+  return out;
+}
+
+}  // namespace swarmfit::sections

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "reports/skill_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "reports/words.h"
+
+namespace swarmfit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json per_metric(const PerMetric<T>& values) {
+  Json out = Json::object();
+  for (std::size_t m = 0; m < kMetrics; ++m) out[std::string(kMetricInfo[m].key)] = values[m];
+  return out;
+}
+
+Json observables(const PanelFacts& panel, const std::vector<Estimate>& values) {
+  Json out = Json::object();
+  for (std::size_t k = 0; k < values.size(); ++k) out[panel.items[k].key] = {{"value", values[k].value}, {"se", values[k].se}};
+  return out;
+}
+
+Json curve(const std::vector<Estimate>& values) {
+  Json value = Json::array(), se = Json::array();
+  for (const Estimate& e : values) value.push_back(e.value), se.push_back(e.se);
+  return {{"value", std::move(value)}, {"se", std::move(se)}};
+}
+
+Json leave_one_out(const std::vector<LeftOut>& all) {
+  Json out = Json::array();
+  for (const LeftOut& w : all) {
+    Json ranking = Json::array();
+    for (const auto& [model, score] : w.ranking) ranking.push_back({{"name", model}, {"score", score}});
+    out.push_back({{"without", w.model},
+                   {"weights", per_metric(w.weights)},
+                   {"ranking", std::move(ranking)},
+                   {"reordered", w.reordered},
+                   {"winner_changed", w.winner_changed}});
+  }
+  return out;
+}
+
+}  // namespace
+
+void add_skill(Json& top, const Comparison& c) {
+  const SkillFacts& s = c.skill;
+  top["floor"] = per_metric(s.floor);
+  top["floor_sd"] = per_metric(s.floor_sd);
+  top["null"] = per_metric(s.null);
+  top["informative"] = per_metric(s.informative);
+  top["skill_scale"] = {{"floor", s.mean_floor}, {"null", s.mean_null}};
+  top["interaction"] = {{"p", {{"d", s.interaction_p[0]}, {"eta", s.interaction_p[1]}}}, {"surrogates", s.surrogates}};
+  top["leave_one_out"] = leave_one_out(c.without);
+  Json units = Json::object();
+  for (const PanelItem& item : c.panel.items) units[item.key] = {{"name", item.name}, {"unit", panel_unit(item, c.data.unit)}};
+  top["observables"] = {{"items", std::move(units)},
+                        {"recording", observables(c.panel, c.panel.recording)},
+                        {"vacf_lags", c.panel.lags},
+                        {"vacf", curve(c.panel.recording_vacf)}};
+}
+
+void add_skill(Json& model, const FitResult& r, const PanelFacts& panel) {
+  model["skill"] = r.skill.value;
+  model["skill_se"] = r.skill.se;
+  model["skill_ci"] = {r.skill.value - 1.96 * r.skill.se, r.skill.value + 1.96 * r.skill.se};
+  model["total_variation"] = per_metric(r.total_variation);
+  model["wasserstein"] = per_metric(r.wasserstein);
+  model["observables"] = observables(panel, r.panel);
+  model["vacf"] = curve(r.vacf);
+}
+
+}  // namespace swarmfit
