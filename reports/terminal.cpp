@@ -50,19 +50,17 @@ std::string data_line(const DataFacts& d) {
 
 TextTable ranking_table(const Comparison& c, TextStyle style) {
   std::vector<Align> align = {Align::right, Align::left, Align::right, Align::right};
-  align.insert(align.end(), kMetrics + 1, Align::right);
+  align.insert(align.end(), kMetrics, Align::right);
   TextTable table(align, style);
 
   std::vector<std::string> head = {"rank", "model", "score ± se", "skill"};
   for (std::size_t m = 0; m < kMetrics; ++m) head.push_back(counts(c, m) ? metric_symbol(m, style) : '(' + metric_symbol(m, style) + ')');
-  head.push_back("tried");
   table.row(head, Paint::bold);
 
   for (const FitResult& r : c.models) {
     std::vector<std::string> cells = {r.rank > 0 ? std::to_string(r.rank) : kUndefined, r.model + (at_bounds(r).empty() ? "" : " *"),
                                       plus_minus(r.score, r.score_se, 3, style), fixed(r.skill.value, 2)};
     for (const double energy : r.raw_energies) cells.push_back(fixed(energy, 2));
-    cells.push_back(counted(r.evaluations));
     table.row(cells, r.rank == 1 ? Paint::good : Paint::plain);
   }
 
