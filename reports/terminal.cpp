@@ -88,10 +88,10 @@ std::size_t panel_index(const PanelFacts& panel, std::string_view key) {
 
 // A few of the observables that were not fitted, the recording in the first row.
 std::string panel_text(const Comparison& c, TextStyle style) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShown{{{"vacf_zero", "velocity reverses [s]"},
-                                                                                 {"k_x", "restoring x [1/s²]"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShown{{{"vacf_zero", "VACF zero [s]"},
+                                                                                 {"k_x", "k_x [1/s²]"},
                                                                                  {"polarisation", "polarisation"},
-                                                                                 {"nearest_ratio", "nearest/Poisson"},
+                                                                                 {"nearest_ratio", "d/Poisson"},
                                                                                  {"kurtosis", "kurtosis a"}}};
   if (c.panel.recording.empty()) return {};
   std::vector<Align> align(kShown.size() + 1, Align::right);
