@@ -16,7 +16,7 @@ using Cells = std::vector<HtmlTable::Cell>;
 
 std::string plus_minus(const Estimate& e) { return std::isfinite(e.se) ? rounded(e.value) + " ± " + rounded(e.se, 2) : rounded(e.value); }
 
-// How many standard errors a model is off; empty if that is unknown.
+// How many standard errors a model is off; NaN if that is unknown.
 double in_errors(const Estimate& model, const Estimate& recording) {
   return std::abs(model.value - recording.value) / std::hypot(model.se, recording.se);
 }

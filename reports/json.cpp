@@ -183,35 +183,35 @@ std::string to_json(const Comparison& c) {
     models.push_back(model(r));
     add_skill(models.back(), r, c.panel);
   }
-  Json top = {{"schema", "swarmfit-results/1"},
-              {"version", c.version},
-              {"command", c.command},
-              {"seed", c.seed},
-              {"protocol", c.protocol},
-              {"budget",
-               {{"name", c.budget.name},
-                {"search", search_size(c.budget.search)},
-                {"selection", search_size(c.budget.selection)},
-                {"confirmation_replicates", c.budget.confirmation_replicates},
-                {"final_replicates", c.budget.final_replicates},
-                {"passes", c.budget.passes}}},
-              {"presence", c.observation.presence},
-              {"arena", c.observation.arena},
-              {"unseen_individuals", c.observation.unseen},
-              {"data", data(c.data)},
-              {"observation", observation(c.observation)},
-              {"binning", binning(c)},
-              {"recording", {{"samples", samples(c.recording)}, {"mean", means(c.recording)}, {"sd", sds(c.recording)}}},
-              {"weights", per_metric(c.weights)},
-              {"p1", per_metric(c.p1)},
-              {"p2", per_metric(c.p2)},
-              {"weights_converged", c.weights_converged},
-              {"weight_history", weight_history(c.weight_history)},
-              {"models", std::move(models)},
-              {"warnings", c.warnings},
-              {"config", config(c.config)}};
-  add_skill(top, c);
-  return text(top);
+  Json full = {{"schema", "swarmfit-results/1"},
+               {"version", c.version},
+               {"command", c.command},
+               {"seed", c.seed},
+               {"protocol", c.protocol},
+               {"budget",
+                {{"name", c.budget.name},
+                 {"search", search_size(c.budget.search)},
+                 {"selection", search_size(c.budget.selection)},
+                 {"confirmation_replicates", c.budget.confirmation_replicates},
+                 {"final_replicates", c.budget.final_replicates},
+                 {"passes", c.budget.passes}}},
+               {"presence", c.observation.presence},
+               {"arena", c.observation.arena},
+               {"unseen_individuals", c.observation.unseen},
+               {"data", data(c.data)},
+               {"observation", observation(c.observation)},
+               {"binning", binning(c)},
+               {"recording", {{"samples", samples(c.recording)}, {"mean", means(c.recording)}, {"sd", sds(c.recording)}}},
+               {"weights", per_metric(c.weights)},
+               {"p1", per_metric(c.p1)},
+               {"p2", per_metric(c.p2)},
+               {"weights_converged", c.weights_converged},
+               {"weight_history", weight_history(c.weight_history)},
+               {"models", std::move(models)},
+               {"warnings", c.warnings},
+               {"config", config(c.config)}};
+  add_skill(full, c);
+  return text(full);
 }
 
 // ---- evaluate -----------------------------------------------------------------------------------------------------------------

@@ -50,19 +50,17 @@ std::string data_line(const DataFacts& d) {
 
 TextTable ranking_table(const Comparison& c, TextStyle style) {
   std::vector<Align> align = {Align::right, Align::left, Align::right, Align::right};
-  align.insert(align.end(), kMetrics + 1, Align::right);
+  align.insert(align.end(), kMetrics, Align::right);
   TextTable table(align, style);
 
   std::vector<std::string> head = {"rank", "model", "score ± se", "skill"};
   for (std::size_t m = 0; m < kMetrics; ++m) head.push_back(counts(c, m) ? metric_symbol(m, style) : '(' + metric_symbol(m, style) + ')');
-  head.push_back("tried");
   table.row(head, Paint::bold);
 
   for (const FitResult& r : c.models) {
     std::vector<std::string> cells = {r.rank > 0 ? std::to_string(r.rank) : kUndefined, r.model + (at_bounds(r).empty() ? "" : " *"),
                                       plus_minus(r.score, r.score_se, 3, style), fixed(r.skill.value, 2)};
     for (const double energy : r.raw_energies) cells.push_back(fixed(energy, 2));
-    cells.push_back(counted(r.evaluations));
     table.row(cells, r.rank == 1 ? Paint::good : Paint::plain);
   }
 
@@ -90,10 +88,10 @@ std::size_t panel_index(const PanelFacts& panel, std::string_view key) {
 
 // A few of the observables that were not fitted, the recording in the first row.
 std::string panel_text(const Comparison& c, TextStyle style) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShown{{{"vacf_zero", "velocity reverses [s]"},
-                                                                                 {"k_x", "restoring x [1/s²]"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShown{{{"vacf_zero", "VACF zero [s]"},
+                                                                                 {"k_x", "k_x [1/s²]"},
                                                                                  {"polarisation", "polarisation"},
-                                                                                 {"nearest_ratio", "nearest/Poisson"},
+                                                                                 {"nearest_ratio", "d/Poisson"},
                                                                                  {"kurtosis", "kurtosis a"}}};
   if (c.panel.recording.empty()) return {};
   std::vector<Align> align(kShown.size() + 1, Align::right);

@@ -74,7 +74,7 @@ TEST(SkillTerminal, SkillBesideTheScoreAndASmallPanel) {
   EXPECT_THAT(text, HasSubstr("skill"));
   EXPECT_THAT(text, HasSubstr("0.81"));
   EXPECT_THAT(text, HasSubstr("not fitted"));
-  EXPECT_THAT(text, HasSubstr("nearest/Poisson"));
+  EXPECT_THAT(text, HasSubstr("d/Poisson"));
   auto none = sample_comparison();
   for (auto& m : none.models) m.skill = {};
   EXPECT_THAT(ranking_text(none, {}), testing::Not(HasSubstr("no better than its surrogates")));
