@@ -33,7 +33,7 @@ std::string interaction_text(const SkillFacts& s) {
   return fmt::format(
       "Is there interaction to be seen? Against {} recordings made of the same tracks shifted in time, the distances to the nearest "
       "neighbour have p = {}, the velocity differences p = {}.",
-      s.surrogates, rounded(s.interaction_p[0], 2), rounded(s.interaction_p[1], 2));
+      s.surrogates, fixed(s.interaction_p[0], 2), fixed(s.interaction_p[1], 2));
 }
 
 }  // namespace
