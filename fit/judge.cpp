@@ -62,7 +62,15 @@ Judge::Judge(const Conditions& conditions, const PerMetric<bool>& used, std::uin
   facts_.floor_sd = distance_.floor_sd();
   for (std::size_t j = 0; j < kMetrics; ++j)
     facts_.informative[j] = facts_.null[j] > facts_.floor[j] + kStandardErrors * facts_.floor_sd[j];
-  scale_ = skill_scale(facts_.floor, facts_.null, used_);
+  const auto any_informative = [&](const PerMetric<bool>& metrics) {
+    for (std::size_t j = 0; j < kMetrics; ++j)
+      if (metrics[j] && facts_.informative[j]) return true;
+    return false;
+  };
+  facts_.used = used_;
+  if (!any_informative(used_))
+    for (std::size_t j = 0; j < kMetrics; ++j) facts_.used[j] = std::isfinite(facts_.floor[j]) && std::isfinite(facts_.null[j]);
+  if (any_informative(facts_.used)) scale_ = skill_scale(facts_.floor, facts_.null, facts_.used);
   facts_.mean_floor = scale_.floor;
   facts_.mean_null = scale_.null;
 }
@@ -114,7 +122,7 @@ void Judge::judge(FitResult& fit, const Objective& objective, const std::vector<
   std::vector<double> means;
   std::vector<Panel> panels;
   for (const Run& run : runs) {
-    means.push_back(mean_used(run.distance, used_));
+    means.push_back(mean_used(run.distance, facts_.used));
     if (!run.panel.values.empty()) panels.push_back(run.panel);
   }
   const Estimate d = estimate(means);
@@ -199,8 +207,9 @@ std::vector<std::string> warnings_of_skill(const Comparison& r) {
                     d, eta, r.skill.surrogates));
   if (!r.models.empty() && std::isnan(r.models.front().skill.value))
     out.emplace_back(
-        "Skill is undefined: the recording is too short to be halved, or no nearer to itself than to its surrogates in the metrics of the "
-        "score.");
+        "Skill is undefined: the recording is too short to be halved, or no nearer to itself than to its surrogates in any metric.");
+  if (r.skill.used != r.observation.used && !r.models.empty() && std::isfinite(r.models.front().skill.value))
+    out.emplace_back("No metric of the score tells the recording from its surrogates, so the skill rests on all that are defined.");
   warn_of_order(r, out);
   std::vector<std::string> deciders;
   for (const LeftOut& w : r.without)

@@ -85,10 +85,12 @@ struct Estimate {
 
 // The scale of skill, which the recording sets alone (libeval/skill.h).
 struct SkillFacts {
-  PerMetric<double> floor{}, floor_sd{};     // total variation distance between halves of the recording; NaN undefined
-  PerMetric<double> null{};                  // of the surrogates without interaction (d, eta) or without memory of direction (the others)
-  PerMetric<bool> informative{};             // the null is farther than the floor by more than two of its standard deviations
-  double mean_floor = NAN, mean_null = NAN;  // over the metrics of the score
+  PerMetric<double> floor{}, floor_sd{};  // total variation distance between halves of the recording; NaN undefined
+  PerMetric<double> null{};               // of the surrogates without interaction (d, eta) or without memory of direction (the others)
+  PerMetric<bool> informative{};          // the null is farther than the floor by more than two of its standard deviations
+  // Behind the skill: the metrics of the score, or all that are defined if none of those is informative.
+  PerMetric<bool> used{};
+  double mean_floor = NAN, mean_null = NAN;  // over the used metrics
   double interaction_p[2] = {NAN, NAN};      // of d and eta: is the recording like its own tracks shifted in time?
   int surrogates = 0;                        // behind interaction_p
 };

@@ -2,6 +2,8 @@
 // How far is a set of tracks from the recording, on a scale that the recording itself sets?
 #pragma once
 
+#include <cmath>
+
 #include "libeval/energy.h"
 
 namespace swarmfit {
@@ -45,7 +47,7 @@ class HalfDistance {
 // over the metrics with `used`; `slope` turns the standard error of D into that of the skill. NaN unless the mean null exceeds the mean
 // floor.
 struct SkillScale {
-  double floor = 0, null = 0;  // means over the used metrics
+  double floor = NAN, null = NAN;  // means over the used metrics
   double skill(double distance) const;
   double slope() const;  // d skill / d D, as a positive number
 };

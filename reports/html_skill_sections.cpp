@@ -33,7 +33,7 @@ std::string interaction_text(const SkillFacts& s) {
   return fmt::format(
       "Is there interaction to be seen? Against {} recordings made of the same tracks shifted in time, the distances to the nearest "
       "neighbour have p = {}, the velocity differences p = {}.",
-      s.surrogates, rounded(s.interaction_p[0], 2), rounded(s.interaction_p[1], 2));
+      s.surrogates, fixed(s.interaction_p[0], 2), fixed(s.interaction_p[1], 2));
 }
 
 }  // namespace
@@ -55,7 +55,8 @@ Html skill(const Comparison& c) {
   Html out = element(
       "p", "",
       markup(
-          "Skill = 1 − (D − floor)/(null − floor), D being the mean distance over the metrics of the score. The floor compares halves of "
+          "Skill = 1 − (D − floor)/(null − floor), D being the mean distance over the metrics of the score (over all if none of those "
+          "tells surrogates apart). The floor compares halves of "
           "the recording, the models and surrogates as many samples. The null is, for d and η, the recording's own tracks shifted in time "
           "against each other (no interaction), for the others a walker that makes the recorded steps in shuffled directions. The walker "
           "keeps the recorded speeds, so v never tells them apart; a model that gets v wrong pays all the same."));

@@ -51,7 +51,7 @@ void add_skill(Json& top, const Comparison& c) {
   top["floor_sd"] = per_metric(s.floor_sd);
   top["null"] = per_metric(s.null);
   top["informative"] = per_metric(s.informative);
-  top["skill_scale"] = {{"floor", s.mean_floor}, {"null", s.mean_null}};
+  top["skill_scale"] = {{"floor", s.mean_floor}, {"null", s.mean_null}, {"used", per_metric(s.used)}};
   top["interaction"] = {{"p", {{"d", s.interaction_p[0]}, {"eta", s.interaction_p[1]}}}, {"surrogates", s.surrogates}};
   top["leave_one_out"] = leave_one_out(c.without);
   Json units = Json::object();

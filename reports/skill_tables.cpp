@@ -27,14 +27,14 @@ class Line {
 };
 
 std::string skill(const Comparison& c) {
-  std::string out = "model,metric,in_score,total_variation,wasserstein,floor,floor_sd,null,informative,skill,skill_se\n";
+  std::string out = "model,metric,in_skill,total_variation,wasserstein,floor,floor_sd,null,informative,skill,skill_se\n";
   const SkillFacts& s = c.skill;
   for (const FitResult& r : c.models) {
     double mean = 0, number = 0;
     for (std::size_t m = 0; m < kMetrics; ++m) {
-      if (counts(c, m)) mean += r.total_variation[m], ++number;
+      if (s.used[m]) mean += r.total_variation[m], ++number;
       Line line;
-      line.add(r.model).add(kMetricInfo[m].key).add(counts(c, m) ? "true" : "false").add(r.total_variation[m]).add(r.wasserstein[m]);
+      line.add(r.model).add(kMetricInfo[m].key).add(s.used[m] ? "true" : "false").add(r.total_variation[m]).add(r.wasserstein[m]);
       line.add(s.floor[m]).add(s.floor_sd[m]).add(s.null[m]).add(s.informative[m] ? "true" : "false").add("").add("");
       out += line.end();
     }

@@ -7,7 +7,7 @@
 namespace swarmfit {
 
 //   skill.csv          one row per model and metric: distance to the recording, its floor and null; per model as metric "all" the means
-//                      over the metrics of the score, and the skill
+//                      over the metrics of the skill, and the skill
 //   leave_one_out.csv  one row per model left out and model ranked without it
 //   panel.csv          one row per recording or model and observable that was not fitted
 //   vacf.csv           velocity autocorrelation: one row per lag, one column per recording or model

@@ -134,7 +134,7 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   out += paragraph(answer.detail) + '\n';
 
   const TextTable table = ranking_table(c, style);
-  const std::string over = fmt::format("raw energy per metric (0 alike .. {} disjoint)", brief(worst_energy(c.binning)));
+  const std::string over = fmt::format("raw energy (0 alike .. {} disjoint)", brief(worst_energy(c.binning)));
   out += std::string(table.column_start(4), ' ') + paint(over, Paint::dim, style) + '\n' + table.text();
   if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
 

@@ -70,6 +70,17 @@ TEST(Judge, SkillFollowsFromTheDistancesShown) {
   EXPECT_FALSE(c.skill.informative[kSpeed]) << "the walker has the recorded speeds";
 }
 
+// v alone tells nothing, since the walker has the recorded speeds.
+TEST(Judge, SkillRestsOnAllMetricsIfThoseOfTheScoreTellNothing) {
+  const Planted planted;
+  PerMetric<bool> speed{};
+  speed[kSpeed] = true;
+  Comparison c;
+  Judge(planted.conditions, speed, 1).tell(c);
+  EXPECT_EQ(c.skill.used, kAllUsed);
+  EXPECT_GT(c.skill.mean_null, c.skill.mean_floor);
+}
+
 TEST(Judge, BlownUpRunsCountAsDisjointAndHaveNoPanel) {
   const Planted planted;
   const Judge judge(planted.conditions, kAllUsed, 1);

@@ -129,6 +129,7 @@ void add_skill(Comparison& c) {
   s.floor_sd = {0.004, 0.005, 0.004, 0.003, 0.006, 0.009, 0.007};
   s.null = {0.02, 0.51, 0.73, 0.44, 0.62, 0.09, 0.04};
   s.informative = {false, true, true, true, true, true, false};
+  s.used = c.observation.used;
   s.mean_floor = 0.03;
   s.mean_null = 0.28;
   s.interaction_p[0] = 0.01;
