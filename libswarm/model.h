@@ -53,6 +53,7 @@ struct Parameter {
   std::string_view meaning;  // one line
   std::string_view source;   // paper and equation, or why this value
   bool integer = false;
+  bool random = false;  // strength of a random force or draw: 0 takes that away
 
   // What one unit of `fit` is worth in this recording.
   double scale(const Scales& s) const;

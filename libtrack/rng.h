@@ -13,19 +13,21 @@ namespace swarmfit {
 // Every independent use of randomness has its own stream; the list stands here so that no two share one by accident.
 // Never renumber: stored results depend on the numbers.
 enum class Stream : std::uint32_t {
-  noise = 1,         // inherent-noise force
-  tie_break = 2,     // coincident agents
-  noise_table = 3,   // permutation tables and offsets of gradient noise
-  localisation = 4,  // camera error
-  dropout = 5,       // missed detections
-  start = 6,         // initial positions and headings
-  replicate = 7,     // seeds of replicates
-  search = 8,        // genetic algorithm
-  final_seeds = 9,   // fresh seeds of the reported energies
-  response = 10,     // turning angle towards or away from a stimulus
-  probe = 11,        // random candidates of diagnostics
-  selection = 12,    // seeds of the search about the leaders
-  confirmation = 13  // seeds on which the last few are compared
+  noise = 1,          // inherent-noise force
+  tie_break = 2,      // coincident agents
+  noise_table = 3,    // permutation tables and offsets of gradient noise
+  localisation = 4,   // camera error
+  dropout = 5,        // missed detections
+  start = 6,          // initial positions and headings
+  replicate = 7,      // seeds of replicates
+  search = 8,         // genetic algorithm
+  final_seeds = 9,    // fresh seeds of the reported energies
+  response = 10,      // turning angle towards or away from a stimulus
+  probe = 11,         // random candidates of diagnostics
+  selection = 12,     // seeds of the search about the leaders
+  confirmation = 13,  // seeds on which the last few are compared
+  goal = 14,          // places that agents head for
+  hidden = 15         // what an agent brings along and no recording shows, such as the state of its noise
 };
 
 namespace philox {

@@ -17,9 +17,14 @@ namespace {
 
 constexpr int kCandidates = 100;
 
-const std::vector<const char*> kChoices{
-    "bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian]", "bswarm[noise=white]", "bswarm[noise=none]", "bswarm[interaction=off]",
-    "boids"};
+const std::vector<const char*> kChoices{"bswarm",
+                                        "bswarm[noise=perlin]",
+                                        "bswarm[noise=gaussian]",
+                                        "bswarm[noise=white]",
+                                        "bswarm[noise=none]",
+                                        "bswarm[interaction=off]",
+                                        "boids",
+                                        "rvo"};
 
 Point random_point(int dimensions, std::uint32_t id) {
   Point x(dimensions);
