@@ -24,7 +24,10 @@ const std::vector<const char*> kChoices{"bswarm",
                                         "bswarm[noise=none]",
                                         "bswarm[interaction=off]",
                                         "boids",
-                                        "rvo"};
+                                        "rvo",
+                                        "brownian",
+                                        "brownian[friction=depot]",
+                                        "brownian[interaction=morse]"};
 
 Point random_point(int dimensions, std::uint32_t id) {
   Point x(dimensions);
