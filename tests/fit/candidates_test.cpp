@@ -27,7 +27,8 @@ const std::vector<const char*> kChoices{"bswarm",
                                         "rvo",
                                         "brownian",
                                         "brownian[friction=depot]",
-                                        "brownian[interaction=morse]"};
+                                        "brownian[interaction=morse]",
+                                        "langevin"};
 
 Point random_point(int dimensions, std::uint32_t id) {
   Point x(dimensions);
