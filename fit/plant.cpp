@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "fit/observe.h"
+#include "libswarm/centre.h"
 #include "libswarm/simulate.h"
 #include "libtrack/error.h"
 
@@ -25,9 +26,7 @@ Eigen::Array3d direction(const std::array<double, 2>& u, int dims) {
 State start(const PlantOptions& o) {
   const Rng rng{o.seed};
   State state;
-  Eigen::Array3d centre = Eigen::Array3d::Zero();
-  if (o.arena.kind == Bounds::Kind::box || o.arena.kind == Bounds::Kind::periodic) centre = 0.5 * (o.arena.lower + o.arena.upper);
-  if (o.arena.kind == Bounds::Kind::sphere) centre = o.arena.centre;
+  const Eigen::Array3d centre = middle_of(o.arena);
   for (std::uint32_t id = 0; id < static_cast<std::uint32_t>(o.agents); ++id) {
     const double r = o.start_radius * std::pow(rng.uniform(Stream::start, 0, id, 0), 1.0 / o.dims);
     state.spawn(0, centre + r * direction(rng.uniform2(Stream::start, 0, id, 1), o.dims),

@@ -1,32 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Where a swarm is held, for models that tie their agents to a place.
+// Where a swarm stays, for models that keep it there: one answer for all of them.
 #pragma once
 
-#include "libswarm/world.h"
-#include "libtrack/tracks.h"
+#include <optional>
+
+#include "libswarm/model.h"
 
 namespace swarmfit {
 
-// Mean of all observed positions [unit]; the origin without a recording, or without a row in it.
-inline Eigen::Array3d swarm_centre(const Tracks* recording) {
-  if (!recording || recording->rows() == 0) return Eigen::Array3d::Zero();
-  Eigen::Array3d sum = Eigen::Array3d::Zero();
-  for (Index i = 0; i < recording->rows(); ++i) sum += recording->pos().row(i).transpose();
-  return sum / static_cast<double>(recording->rows());
-}
+// The middle of an arena [unit]; in the open the origin.
+Eigen::Array3d middle_of(const Bounds& bounds);
 
-// Centre of a bounded arena; the origin of an open one.
-inline Eigen::Array3d arena_centre(const Bounds& bounds) {
-  switch (bounds.kind) {
-    case Bounds::Kind::open:
-      break;
-    case Bounds::Kind::sphere:
-      return bounds.centre;
-    case Bounds::Kind::box:
-    case Bounds::Kind::periodic:
-      return 0.5 * (bounds.lower + bounds.upper);
-  }
-  return Eigen::Array3d::Zero();
-}
+// The mean position of all observations of the recording; without a recording the middle of the arena.
+class SwarmCentre {
+ public:
+  explicit SwarmCentre(const Setup& setup);
+
+  Eigen::Array3d in(const Bounds& bounds) const { return recorded_ ? *recorded_ : middle_of(bounds); }
+
+ private:
+  std::optional<Eigen::Array3d> recorded_;
+};
 
 }  // namespace swarmfit

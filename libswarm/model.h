@@ -83,7 +83,6 @@ struct ModelSpec {
   double native_dt = 0.01;       // of scenes [s]
   double largest_dt = 0.025;     // of fits, in units of T: the step that is still stable anywhere inside the fit bounds
   std::string_view quiet = "";   // options or parameters that leave no randomness: "noise=none", "eta=0,xi=0"; empty: there is none anyway
-  bool anchored = false;         // has a place of its own (a cage, a centre): does not move along when all agents are shifted
   std::vector<Option> options;
   std::vector<std::string_view> columns;  // names of its private columns in State::own
   std::vector<Parameter> parameters;

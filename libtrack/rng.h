@@ -26,6 +26,8 @@ enum class Stream : std::uint32_t {
   probe = 11,         // random candidates of diagnostics
   selection = 12,     // seeds of the search about the leaders
   confirmation = 13,  // seeds on which the last few are compared
+  goal = 14,          // places that agents head for
+  hidden = 15,        // what an agent brings along and no recording shows, such as the state of its noise
   surrogate = 20      // recordings with a property destroyed
 };
 

@@ -31,7 +31,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "libswarm/centre.h"
 #include "libswarm/decision_clock.h"
@@ -169,12 +168,11 @@ class Flow {
 
 class NoiseAware : public Model {
  public:
-  explicit NoiseAware(const Setup& setup) : dims_(setup.dims), noise_(parse_noise(setup.options.at("noise"))) {
+  explicit NoiseAware(const Setup& setup) : dims_(setup.dims), noise_(parse_noise(setup.options.at("noise"))), centre_(setup) {
     if (!setup.reference) return;
-    recorded_ = Sphere{swarm_centre(setup.reference), 0};
     const auto& pos = setup.reference->pos();
-    for (Index i = 0; i < pos.rows(); ++i)
-      recorded_->radius = std::max(recorded_->radius, std::sqrt((pos.row(i).transpose() - recorded_->centre).square().sum()));
+    const Array3d centre = centre_.in({});
+    for (Index i = 0; i < pos.rows(); ++i) reach_ = std::max(reach_, std::sqrt((pos.row(i).transpose() - centre).square().sum()));
   }
 
   std::unique_ptr<Workspace> workspace(const World&, const Rng& rng) const override { return std::make_unique<Field>(rng); }
@@ -196,18 +194,16 @@ class NoiseAware : public Model {
   }
 
   Sphere cage(const Bounds& bounds, const StepContext& c) const {
-    Sphere cage{arena_centre(bounds), c.p[kCage]};
-    if (bounds.kind == Bounds::Kind::sphere)
-      cage.radius = bounds.radius;
-    else if (recorded_)
-      cage = {recorded_->centre, std::max(c.p[kCage], recorded_->radius)};
+    Sphere cage{centre_.in(bounds), std::max(c.p[kCage], reach_)};
+    if (bounds.kind == Bounds::Kind::sphere) cage = {bounds.centre, bounds.radius};
     if (dims_ == 2) cage.centre[2] = 0;
     return cage;
   }
 
   int dims_;
   Noise noise_;
-  std::optional<Sphere> recorded_;  // about all recorded positions
+  SwarmCentre centre_;
+  double reach_ = 0;  // of the recorded positions from their centre; 0 without a recording
 };
 
 }  // namespace
@@ -220,7 +216,7 @@ ModelSpec noise_aware_spec() {
           .dims = {2, 3},
           .native_dt = 1.0 / 60,
           .largest_dt = 1.0 / 40,  // a midpoint step of L / 40 at the recorded speed, a sixth of the smallest scale
-          .anchored = true,
+          .quiet = "gain=0",
           .options = {{"noise", {"curl", "perlin", "white"}, "the velocity field"}},
           .columns = {},
           .parameters =

@@ -216,20 +216,21 @@ TEST_P(EveryModel, RowOrderDoesNotMatter) {
   }
 }
 
-// Without noise nothing but the agents themselves gives a direction or a place.
+// Without noise nothing but the agents themselves, and where the recording had them, gives a direction or a place.
 TEST_P(EveryModel, NoiselessMotionTurnsAndShiftsWithTheAgents) {
-  const Made made = make(quiet(GetParam()));
-  if (made.choice.spec->anchored) GTEST_SKIP() << "has a place of its own";
-  Lane a = busy(made, 40, 3), b = busy(made, 40, 3);
-  silence(made, a);
-  silence(made, b);
+  const std::string setting = quiet(GetParam());
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
   const auto turned = [&](const Rows& rows) { return Rows((rows.matrix() * turn.transpose()).array()); };
   const Eigen::Array<double, 1, 3> shift(3, -7, 11);
+  Lane a = busy(make(setting), 40, 3), b = busy(make(setting), 40, 3);
   b.state.pos = turned(a.state.pos).rowwise() + shift;
   b.state.vel = turned(a.state.vel);
-  run(made, kShort, a);
-  run(made, kShort, b);
+  for (Lane* lane : {&a, &b}) {
+    const Tracks reference = recording_of(lane->state);
+    const Made made = make(setting, 3, &reference);
+    silence(made, *lane);
+    run(made, kShort, *lane);
+  }
   EXPECT_LT((b.state.pos - (turned(a.state.pos).rowwise() + shift)).abs().maxCoeff(), 1e-8);
   EXPECT_LT((b.state.vel - turned(a.state.vel)).abs().maxCoeff(), 1e-6);
 }
@@ -301,6 +302,8 @@ TEST_P(EveryModel, ManyRandomCandidatesMoveAboutAsFastAsTheRecording) {
   const ModelChoice choice = parse_model(GetParam());
   for (const Recording& r : {midges, jackdaws}) {
     swarmfit::Setup setup;  // not testing::Test::Setup
+    const Tracks reference = recording_of(crowd(make(GetParam()), r.agents, 2 * r.scales.extent, r.scales.speed).state);
+    setup.reference = &reference;
     setup.options = choice.options;
     setup.scales = r.scales;
     const Made made{choice, choice.spec->make(setup)};

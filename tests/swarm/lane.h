@@ -2,7 +2,9 @@
 // What the tests of simulation share: lanes with agents in them, and a sink that remembers frames.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "libswarm/noise.h"
@@ -15,9 +17,10 @@ struct Made {
   std::unique_ptr<Model> model;
 };
 
-inline Made make(std::string_view name, int dims = 3) {
+inline Made make(std::string_view name, int dims = 3, const Tracks* reference = nullptr) {
   Made made{parse_model(name), nullptr};
   Setup setup;
+  setup.reference = reference;
   setup.dims = dims;
   setup.options = made.choice.options;
   made.model = made.choice.spec->make(setup);
@@ -36,6 +39,21 @@ inline Lane crowd(const Made& made, Index agents, double width, double speed, st
     lane.state.spawn(0, width * Eigen::Array3d(xy[0], xy[1], z), speed * random_direction(lane.rng, Stream::start, 1, i, 0, dims));
   }
   return lane;
+}
+
+// A recording of one frame: everybody where they stand.
+inline Tracks recording_of(const State& state, int dims = 3) {
+  TrackColumns columns;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(state.size()); ++i) {
+    columns.names.push_back(std::to_string(i));
+    columns.track.push_back(i);
+    columns.frame.push_back(0);
+  }
+  columns.pos = state.pos;
+  TrackMeta meta;
+  meta.dims = dims;
+  meta.dt = 0.01;
+  return {std::move(columns), meta};
 }
 
 inline void set(const Made& made, Lane& lane, std::string_view parameter, double value) {

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+//
+// brownian – active Brownian particles
+// ====================================
+// F. Schweitzer, W. Ebeling, B. Tilch, Complex motion of Brownian particles with energy depots, Phys. Rev. Lett. 80: 5044, 1998
+// (doi:10.1103/PhysRevLett.80.5044), with the repulsion of M. R. D'Orsogna et al., Phys. Rev. Lett. 96: 104302, 2006
+// (doi:10.1103/PhysRevLett.96.104302); a baseline of Ren et al. 2016 (doi:10.1371/journal.pone.0155698), whose Tables S17–S20 print fitted
+// r1, r2, D and Cr. That r1 and r2 are gamma1 and gamma2, and the form below, is our reading.
+//
+//   dr/dt = v
+//   dv/dt = f(v) v - k (r - r_c) + F + sqrt(2 D) xi          xi: Gaussian white noise of unit strength, independent per component
+//   F     = sum over j of (C_r / l_r e^(-d / l_r) - C_a / l_a e^(-d / l_a)) (r_i - r_j) / d,   d = |r_i - r_j|
+//   f(v)  = gamma1 - gamma2 |v|²                             friction=rayleigh
+//   f(v)  = d2 e - g0,   de/dt = q0 - c e - d2 |v|² e        friction=depot: each agent has a store of energy e, filled at the rate q0
+//
+// r_c is the recording's mean position; in scenes the middle of the arena, in the open the origin.
+// Euler and Maruyama, semi-implicit (r moves with the new v), halved while gamma2 |v|² dt > 0.2 for anybody; e follows its exact solution
+// for constant |v|. Agents enter with e = q0 / (c + d2 |v|²), at which it stays while the speed does. Agents at the same place part in a
+// drawn direction. Forces beyond 30 times the longest range, a factor 1e-13, are left out.
+//
+// A free particle with Rayleigh friction has the stationary speeds P(v) ~ v^(dims-1) exp(-(gamma2 v^4 / 4 - gamma1 v² / 2) / D). With the
+// printed parameters noise dominates: the mean speed of S17 is 0.83, sqrt(gamma1 / gamma2) is 0.24.
+//
+// Options (first value: default)
+//   friction      rayleigh | depot
+//   confinement   harmonic | none: k = 0
+//   interaction   repulsion: C_a = 0 | morse | none: F = 0
+#include <algorithm>
+#include <cmath>
+
+#include "libswarm/centre.h"
+#include "libswarm/noise.h"
+#include "libswarm/parallel.h"
+
+namespace swarmfit {
+namespace {
+
+using Eigen::Array3d;
+
+// Rows of the parameter table, in its order.
+enum Row : std::size_t { kGamma1, kGamma2, kD, kCr, kK, kLr, kCa, kLa, kQ0, kC, kD2, kG0 };
+
+constexpr double kLargestChange = 0.2;  // gamma2 |v|² dt
+constexpr double kRanges = 30;          // as far as forces reach
+
+class Brownian : public Model {
+ public:
+  explicit Brownian(const Setup& setup)
+      : dims_(setup.dims),
+        depot_(setup.options.at("friction") == "depot"),
+        confined_(setup.options.at("confinement") == "harmonic"),
+        repulsion_(setup.options.at("interaction") != "none"),
+        attraction_(setup.options.at("interaction") == "morse"),
+        centre_(setup) {}
+
+  Index columns() const override { return 1; }
+
+  void enter(State& state, Index first, const World&, const StepContext& c) const override {
+    if (!depot_) return;
+    for (Index i = first; i < state.size(); ++i) state.own(i, 0) = c.p[kQ0] / (c.p[kC] + c.p[kD2] * speed2(state, i));
+  }
+
+  Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
+    if (!depot_ && c.can_halve && too_fast(now, c)) return Step::halve_dt;
+    if (repulsion_) c.near.build(now.pos, world.bounds, kRanges * std::max(c.p[kLr], attraction_ ? c.p[kLa] : 0.0));
+    const Array3d centre = centre_.in(world.bounds);
+    const double kick = std::sqrt(2 * c.p[kD] * c.dt);
+    for_each_agent(now.size(), [&](Index i, std::size_t) {
+      const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
+      const Array3d before = now.vel.row(i).transpose();
+      Array3d force = propulsion(now, next, i, c) * before;
+      if (confined_) force += c.p[kK] * world.bounds.separation(now.pos.row(i).transpose(), centre);
+      if (repulsion_) force += interaction(now, i, c);
+      Array3d v = before + force * c.dt + kick * gaussian_noise(c.rng, c.tick, id);
+      if (dims_ == 2) v[2] = 0;
+      next.vel.row(i) = v.transpose();
+      next.pos.row(i) = now.pos.row(i) + v.transpose() * c.dt;
+    });
+    return Step::done;
+  }
+
+ private:
+  static double speed2(const State& now, Index i) {
+    return now.vel(i, 0) * now.vel(i, 0) + now.vel(i, 1) * now.vel(i, 1) + now.vel(i, 2) * now.vel(i, 2);
+  }
+
+  static bool too_fast(const State& now, const StepContext& c) {
+    double fastest2 = 0;
+    for (Index i = 0; i < now.size(); ++i) fastest2 = std::max(fastest2, speed2(now, i));
+    return c.p[kGamma2] * fastest2 * c.dt > kLargestChange;
+  }
+
+  // f(v), and the energy that is left after the step.
+  double propulsion(const State& now, State& next, Index i, const StepContext& c) const {
+    const double v2 = speed2(now, i);
+    if (!depot_) return c.p[kGamma1] - c.p[kGamma2] * v2;
+    const double rate = c.p[kC] + c.p[kD2] * v2, balance = c.p[kQ0] / rate, energy = now.own(i, 0);
+    next.own(i, 0) = balance + (energy - balance) * std::exp(-rate * c.dt);
+    return c.p[kD2] * energy - c.p[kG0];
+  }
+
+  // What j at this distance does to i, along the line from j to i.
+  double strength(double distance, const StepContext& c) const {
+    double f = c.p[kCr] / c.p[kLr] * std::exp(-distance / c.p[kLr]);
+    if (attraction_) f -= c.p[kCa] / c.p[kLa] * std::exp(-distance / c.p[kLa]);
+    return f;
+  }
+
+  Array3d interaction(const State& now, Index i, const StepContext& c) const {
+    Array3d force = Array3d::Zero();
+    c.near.visit(i, [&](Index j, const Array3d& offset, double distance) {
+      if (distance > 0) {
+        force -= strength(distance, c) / distance * offset;
+      } else {
+        const std::uint32_t self = now.id[static_cast<std::size_t>(i)], other = now.id[static_cast<std::size_t>(j)];
+        force += strength(0, c) * parting_direction(c.rng, c.tick, self, other, dims_);
+      }
+    });
+    return force;
+  }
+
+  int dims_;
+  bool depot_, confined_, repulsion_, attraction_;
+  SwarmCentre centre_;
+};
+
+const std::vector<Parameter>& parameter_table() {
+  using enum Parameter::Length;
+  constexpr std::string_view rayleigh = "friction=rayleigh", depot = "friction=depot", morse = "interaction=morse";
+  constexpr std::string_view repulsion = "interaction=repulsion|morse";
+  // Rows longer than a line would be taken apart, one field a line:
+  // clang-format off
+  static const std::vector<Parameter> table{
+      // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source, integer
+      {"gamma1", "γ_1", {0, -1}, {0.2156, -20, 20}, {1, -5, 5}, extent, false, true, rayleigh,
+       "propulsion of a slow agent; negative: friction", "Table S17, there r1"},
+      {"gamma2", "γ_2", {-2, 1}, {3.8959, 0, 100}, {1, 0, 10}, extent, false, true, rayleigh, "cubic friction", "Table S17, there r2"},
+      {"D", "D", {2, -3}, {0.9585, 0, 20}, {0.5, 0, 5}, extent, false, true, "", "intensity of the noise", "Table S17"},
+      {"C_r", "C_r", {2, -2}, {0.0368, 0, 20}, {0.1, 0, 2}, extent, false, true, repulsion, "energy of repulsion", "Table S17"},
+      {"k", "k", {0, -2}, {1, 0, 20}, {1, 0, 5}, extent, false, true, "confinement=harmonic",
+       "stiffness of the confinement", "our choice; the midges of Sinhuber et al. 2019 have 4.9 s^-2"},
+      {"l_r", "l_r", {1, 0}, {0.5, 0.01, 20}, {0.5, 0.05, 5}, spacing, true, false, repulsion, "range of repulsion", "our choice"},
+      {"C_a", "C_a", {2, -2}, {0.0368, 0, 20}, {0.1, 0, 2}, extent, false, true, morse, "energy of attraction", "our choice"},
+      {"l_a", "l_a", {1, 0}, {2, 0.01, 20}, {3, 0.05, 20}, spacing, true, false, morse, "range of attraction", "our choice"},
+      {"q0", "q_0", {2, -3}, {2, 0, 100}, {2, 0, 10}, extent, false, true, depot, "intake of energy", "our choice"},
+      {"c", "c", {0, -1}, {1, 0.01, 100}, {1, 0.1, 10}, extent, true, false, depot, "loss of stored energy", "our choice"},
+      {"d2", "d_2", {-2, 1}, {1, 0, 100}, {1, 0, 10}, extent, false, true, depot, "conversion of stored energy to motion", "our choice"},
+      {"g0", "γ_0", {0, -1}, {1, 0.01, 20}, {1, 0.1, 10}, extent, true, true, depot, "linear friction", "our choice"},
+  };
+  // clang-format on
+  return table;
+}
+
+}  // namespace
+
+ModelSpec brownian_spec() {
+  return {.name = "brownian",
+          .summary = "active Brownian particles: propulsion, noise, confinement and soft repulsion",
+          .citation = "Schweitzer et al. 1998, doi:10.1103/PhysRevLett.80.5044; baseline of Ren et al. 2016",
+          .dims = {2, 3},
+          .native_dt = 0.01,
+          .largest_dt = 1.0 / 40,  // gamma2 |v|² dt = 0.25 at the upper bound of gamma2 and the recorded speed
+          .quiet = "D=0",
+          .options = {{"friction", {"rayleigh", "depot"}, "propulsion as a function of speed, or from stored energy"},
+                      {"confinement", {"harmonic", "none"}, "force towards the centre"},
+                      {"interaction", {"repulsion", "morse", "none"}, "forces between agents"}},
+          .columns = {"energy"},
+          .parameters = parameter_table(),
+          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Brownian>(setup); }};
+}
+
+}  // namespace swarmfit

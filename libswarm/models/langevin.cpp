@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+//
+// langevin – independent agents about a common centre: the null model without any interaction
+// ===========================================================================================
+// A. Okubo, Dynamical aspects of animal grouping: swarms, schools, flocks, and herds, Adv. Biophys. 22: 1–94, 1986
+// (doi:10.1016/0065-227X(86)90003-1); with coloured noise as in A. M. Reynolds, M. Sinhuber, N. T. Ouellette, Are midge swarms bound
+// together by an effective velocity-dependent gravity?, Eur. Phys. J. E 40: 46, 2017 (doi:10.1140/epje/i2017-11531-7).
+//
+//   dr   = v dt
+//   dv   = (-v / tau_v - k (r - r_c) + eta) dt
+//   deta = -eta / tau_eta dt + sigma_eta sqrt(2 / tau_eta) dW          per component, with standard deviation sigma_eta
+//
+// r_c is the recording's mean position; in scenes the middle of the arena, in the open the origin.
+//
+// With a = 1 / tau_eta, g = 1 / tau_v, s = sigma_eta² / (k + a g + a²), every component has the stationary moments
+//   <v²> = s a / g     <x²> = s (a / g + 1) / k     <v eta> = s a     <x eta> = s     <x v> = 0          (x = r - r_c)
+// Agents enter with an eta drawn from the stationary law given their place and velocity, so that a swarm that starts stationary stays so.
+//
+// eta is updated exactly (Gillespie 1996). r and v: half a step of drift, the exact solution for v under friction and constant force with
+// the mean of the old and the new eta, half a step of drift; of second order, stable for k dt² < 4.
+#include <algorithm>
+#include <cmath>
+
+#include "libswarm/centre.h"
+#include "libswarm/noise.h"
+#include "libswarm/parallel.h"
+
+namespace swarmfit {
+namespace {
+
+using Eigen::Array3d;
+
+// Rows of the parameter table, in its order.
+enum Row : std::size_t { kTauV, kK, kTauEta, kSigma };
+
+constexpr Index kColumns = 3;  // eta
+
+class Langevin : public Model {
+ public:
+  explicit Langevin(const Setup& setup) : dims_(setup.dims), centre_(setup) {}
+
+  Index columns() const override { return kColumns; }
+
+  void enter(State& state, Index first, const World& world, const StepContext& c) const override {
+    const double a = 1 / c.p[kTauEta], g = 1 / c.p[kTauV], k = c.p[kK];
+    // eta = on_v · v + on_x · x + the rest, all three independent
+    const double on_v = g, on_x = k * g / (a + g);
+    const double explained = (on_v * a + on_x) / (k + a * g + a * a);  // of the variance of eta
+    const double rest = c.p[kSigma] * std::sqrt(std::max(0.0, 1 - explained));
+    const Array3d centre = centre_.in(world.bounds);
+    for (Index i = first; i < state.size(); ++i) {
+      const Array3d x = world.bounds.separation(centre, state.pos.row(i).transpose()), v = state.vel.row(i).transpose();
+      const Array3d eta = on_v * v + on_x * x + rest * normal(Stream::hidden, state, i, c);
+      state.own.row(i) = flat(eta).transpose();
+    }
+  }
+
+  Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
+    const double keep = std::exp(-c.dt / c.p[kTauEta]), draw = c.p[kSigma] * std::sqrt(-std::expm1(-2 * c.dt / c.p[kTauEta]));
+    const double slow = std::exp(-c.dt / c.p[kTauV]), push = -c.p[kTauV] * std::expm1(-c.dt / c.p[kTauV]);
+    const Array3d centre = centre_.in(world.bounds);
+    for_each_agent(now.size(), [&](Index i, std::size_t) {
+      const Array3d before = now.own.row(i).transpose();
+      const Array3d eta = keep * before + draw * flat(normal(Stream::noise, now, i, c));
+      Array3d v = now.vel.row(i).transpose();
+      const Array3d midway = now.pos.row(i).transpose() + 0.5 * c.dt * v;
+      v = slow * v + push * (c.p[kK] * world.bounds.separation(midway, centre) + 0.5 * (before + eta));
+      next.own.row(i) = eta.transpose();
+      next.vel.row(i) = v.transpose();
+      next.pos.row(i) = (midway + 0.5 * c.dt * v).transpose();
+    });
+    return Step::done;
+  }
+
+ private:
+  static Array3d normal(Stream stream, const State& state, Index i, const StepContext& c) {
+    const std::uint32_t id = state.id[static_cast<std::size_t>(i)];
+    const auto xy = c.rng.normal2(stream, c.tick, id, 0);
+    return {xy[0], xy[1], c.rng.normal2(stream, c.tick, id, 1)[0]};
+  }
+
+  Array3d flat(const Array3d& a) const { return dims_ == 2 ? Array3d(a[0], a[1], 0) : a; }
+
+  int dims_;
+  SwarmCentre centre_;
+};
+
+const std::vector<Parameter>& parameter_table() {
+  using enum Parameter::Length;
+  constexpr std::string_view okubo = "Okubo 1986", reynolds = "Reynolds et al. 2017";
+  // Rows longer than a line would be taken apart, one field a line:
+  // clang-format off
+  static const std::vector<Parameter> table{
+      // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source, integer
+      {"tau_v", "τ_v", {0, 1}, {1, 0.01, 100}, {1, 0.1, 10}, extent, true, true, "", "time of friction", okubo},
+      {"k", "k", {0, -2}, {1, 0, 20}, {1, 0, 5}, extent, false, true, "", "stiffness of the confinement", okubo},
+      {"tau_eta", "τ_η", {0, 1}, {0.1, 0.001, 10}, {0.2, 0.02, 2}, extent, true, true, "", "memory of the noise", reynolds},
+      {"sigma_eta", "σ_η", {1, -2}, {5, 0, 100}, {3, 0, 10}, extent, false, true, "",
+       "standard deviation of the noise acceleration, per component", reynolds},
+  };
+  // clang-format on
+  return table;
+}
+
+}  // namespace
+
+ModelSpec langevin_spec() {
+  return {.name = "langevin",
+          .summary = "null model: independent damped oscillators about the swarm's centre, driven by coloured noise",
+          .citation = "Okubo 1986, doi:10.1016/0065-227X(86)90003-1; Reynolds et al. 2017, doi:10.1140/epje/i2017-11531-7",
+          .dims = {2, 3},
+          .native_dt = 0.01,
+          .largest_dt = 1.0 / 40,  // k dt² = 0.003 at the upper bound of k; the shortest memory of the noise is 0.8 steps
+          .quiet = "sigma_eta=0",
+          .options = {},
+          .columns = {"eta_x", "eta_y", "eta_z"},
+          .parameters = parameter_table(),
+          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Langevin>(setup); }};
+}
+
+}  // namespace swarmfit
