@@ -13,7 +13,7 @@ int weigh(const WeighArguments&);
 int simulate(const SimulateArguments&);
 int fit(const FitArguments&);      // exactly one model
 int compare(const FitArguments&);  // two or more
-int list_models(const Common&);
+int list_models(const ModelsArguments&);
 int list_formats(const Common&);
 
 }  // namespace swarmfit::cli
