@@ -78,9 +78,15 @@ struct WeighArguments {
   std::string table;
 };
 
+struct ModelsArguments {
+  Common common;
+  std::string name;   // one model only
+  bool page = false;  // as Markdown
+};
+
 struct SimulateArguments {
   Common common;
-  std::string model, out;
+  std::string model, out, picture;
   std::vector<std::string> set;
   int agents = 100, dims = 3;
   std::int64_t frames = 500, warm_up = 0;

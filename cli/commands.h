@@ -14,7 +14,7 @@ int simulate(const SimulateArguments&);
 int fit(const FitArguments&);      // exactly one model
 int compare(const FitArguments&);  // two or more
 int recover(const RecoverArguments&);
-int list_models(const Common&);
+int list_models(const ModelsArguments&);
 int list_formats(const Common&);
 
 }  // namespace swarmfit::cli

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // describe, convert, simulate, and the lists.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/model_page.h"
 #include "cli/settings.h"
 #include "cli/style.h"
 #include "fit/plant.h"
@@ -15,6 +15,7 @@
 #include "libtrack/read.h"
 #include "libtrack/write.h"
 #include "reports/json.h"
+#include "reports/picture.h"
 #include "reports/terminal.h"
 
 namespace swarmfit::cli {
@@ -36,22 +37,6 @@ Bounds box(double side, int dims) {
   bounds.lower.head(dims).setConstant(-0.5 * side);
   bounds.upper.head(dims).setConstant(0.5 * side);
   return bounds;
-}
-
-std::string row_text(const Parameter& p) {
-  const auto unit = to_string(p.unit, "L");
-  return fmt::format("{}{}; scenes {:g} in {:g} .. {:g}; fits {:g} in {:g} .. {:g} {}{}{}", p.meaning,
-                     unit.empty() ? "" : " [" + unit + "]", p.scene.initial, p.scene.lower, p.scene.upper, p.fit.initial, p.fit.lower,
-                     p.fit.upper, p.length == Parameter::Length::spacing ? "(in NND)" : "(in L, T)", p.fitted ? ", searched" : "",
-                     p.when.empty() ? "" : fmt::format(", with {}", p.when));
-}
-
-ListEntry entry(const ModelSpec& spec) {
-  ListEntry e{std::string(spec.name), std::string(spec.summary), {{"source", std::string(spec.citation)}}};
-  for (const auto& option : spec.options)
-    e.facts.emplace_back(fmt::format("[{}={}]", option.name, fmt::join(option.values, "|")), std::string(option.meaning));
-  for (const auto& parameter : spec.parameters) e.facts.emplace_back(std::string(parameter.name), row_text(parameter));
-  return e;
 }
 
 int list(const char* what, const std::vector<ListEntry>& entries, const Common& common) {
@@ -78,6 +63,7 @@ int convert(const ConvertArguments& a) {
 }
 
 int simulate(const SimulateArguments& a) {
+  if (a.out.empty() && a.picture.empty()) throw InputError("simulate: nothing to write; expected --out FILE or --picture FILE");
   use_threads(a.common);
   const ModelChoice model = parse_model(a.model);
   PlantOptions o;
@@ -95,14 +81,27 @@ int simulate(const SimulateArguments& a) {
   o.seed = a.common.seed;
   o.unit = a.unit;
   o.path = model.name;
-  write_tracks(a.out, plant(model, scene_parameters(model, parse_assignments(a.set)), o));
+  const Tracks tracks = plant(model, scene_parameters(model, parse_assignments(a.set)), o);
+  if (!a.out.empty()) write_tracks(a.out, tracks);
+  if (!a.picture.empty()) write_file_atomically(a.picture, picture_svg(tracks, model.name));
   return 0;
 }
 
-int list_models(const Common& common) {
-  std::vector<ListEntry> entries;
-  for (const auto& spec : models()) entries.push_back(entry(spec));
-  return list("models", entries, common);
+int list_models(const ModelsArguments& a) {
+  if (a.name.empty()) {
+    if (a.page) throw InputError("models --page: of which model? expected a name before it; see swarmfit models");
+    std::vector<ListEntry> entries;
+    for (const auto& spec : models()) entries.push_back(model_entry(spec));
+    return list("models", entries, a.common);
+  }
+  const ModelSpec& spec = *parse_model(a.name).spec;
+  if (a.page)
+    print(model_page(spec));
+  else if (a.common.json)
+    print(to_json("models", {model_entry(spec)}));
+  else
+    print(model_manual(spec) + '\n' + list_text({model_entry(spec)}, style()));
+  return 0;
 }
 
 int list_formats(const Common& common) {

@@ -91,6 +91,7 @@ struct Program {
   WeighArguments weigh;
   SimulateArguments simulate;
   RecoverArguments recover;
+  ModelsArguments models;
   Common list;
   std::function<int()> chosen;
 
@@ -136,7 +137,8 @@ struct Program {
     auto& sub = command("simulate", "trajectories from a model", [this] { return cli::simulate(simulate); });
     add_common(sub, a.common);
     sub.add_option("MODEL", a.model, "model with settings: bswarm, 'bswarm[noise=white]'; see swarmfit models")->required();
-    sub.add_option("-o,--out", a.out, "CSV file to write; - for standard output")->required();
+    sub.add_option("-o,--out", a.out, "CSV file to write; - for standard output");
+    sub.add_option("--picture", a.picture, "SVG file to write: the last frame, with the paths to it as fading tails");
     sub.add_option("--set", a.set, "parameter=value, in simulation units")->take_all();
     sub.add_option("--agents", a.agents, "number of agents")->check(CLI::Range(1, 10000000))->capture_default_str();
     sub.add_option("--frames", a.frames, "frames to write")->check(CLI::PositiveNumber)->capture_default_str();
@@ -220,8 +222,10 @@ struct Program {
   }
 
   void add_lists() {
-    auto& all_models = command("models", "the models, their settings and parameters", [this] { return cli::list_models(list); });
-    add_common(all_models, list);
+    auto& all_models = command("models", "the models, their settings and parameters", [this] { return cli::list_models(models); });
+    add_common(all_models, models.common);
+    all_models.add_option("NAME", models.name, "one model only, with its manual page");
+    all_models.add_flag("--page", models.page, "its page of docs/models, as Markdown");
     auto& all_formats = command("formats", "the file formats that can be read", [this] { return cli::list_formats(list); });
     add_common(all_formats, list);
   }

@@ -19,7 +19,7 @@ constexpr int kCandidates = 100;
 
 // Every model, and what the presets of compare make of bswarm.
 std::vector<std::string> choices() {
-  std::vector<std::string> all{"bswarm[noise=perlin]", "bswarm[noise=gaussian]", "bswarm[noise=white]", "bswarm[noise=none]",
+  std::vector<std::string> all{"bswarm[noise=perlin]",    "bswarm[noise=gaussian]",   "bswarm[noise=white]",        "bswarm[noise=none]",
                                "bswarm[interaction=off]", "brownian[friction=depot]", "brownian[interaction=morse]"};
   for (const ModelSpec& spec : models()) all.emplace_back(spec.name);
   return all;

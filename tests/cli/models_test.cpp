@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The pages of docs/models say what the program says.
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const fs::path kPages = fs::path(SWARMFIT_SOURCE_DIR) / "docs/models";
+constexpr const char* kAdvice = ": out of date; run docs/make_models";
+
+std::string printed(const std::string& arguments) {
+  FILE* pipe = popen(("'" SWARMFIT_PROGRAM "' " + arguments).c_str(), "r");
+  std::string out;
+  std::array<char, 4096> buffer;
+  for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) out.append(buffer.data(), n);
+  EXPECT_EQ(pclose(pipe), 0) << arguments;
+  return out;
+}
+
+std::string content(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const auto& model : nlohmann::json::parse(printed("models --json")).at("models")) all.push_back(model.at("name"));
+  return all;
+}
+
+TEST(ModelPages, SayWhatTheProgramSays) {
+  ASSERT_GE(names().size(), 2u);
+  for (const auto& name : names())
+    EXPECT_THAT(content(kPages / (name + ".md")), StartsWith(printed("models " + name + " --page"))) << name << kAdvice;
+}
+
+TEST(ModelPages, HaveASmallPicture) {
+  for (const auto& name : names()) {
+    const auto picture = content(kPages / (name + ".svg"));
+    EXPECT_THAT(picture, StartsWith("<svg ")) << name << kAdvice;
+    EXPECT_LT(picture.size(), 60'000u) << name;
+  }
+}
+
+TEST(ModelPages, NoneIsLeftOver) {
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(kPages)) files += entry.is_regular_file();
+  EXPECT_EQ(files, 2 * names().size()) << kPages << kAdvice;
+}
+
+// The manual is the comment that opens the model's file, without comment signs and licence.
+TEST(ModelPages, ManualIsTheCommentOfTheModel) {
+  for (const auto& name : names()) {
+    const auto manual = printed("models " + name);
+    EXPECT_THAT(manual, StartsWith(name + " – "));
+    EXPECT_THAT(manual, Not(HasSubstr("SPDX")));
+    EXPECT_THAT(manual, Not(HasSubstr("\n//")));
+  }
+}
+
+}  // namespace

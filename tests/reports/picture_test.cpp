@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "reports/picture.h"
+
+#include <gmock/gmock.h>
+
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Seen {
+  std::uint32_t track;
+  std::int64_t frame;
+  double x, y;
+};
+
+Tracks planar(const std::vector<Seen>& seen, std::uint32_t tracks) {
+  TrackColumns columns;
+  columns.pos = Rows::Zero(static_cast<Index>(seen.size()), 3);
+  for (std::uint32_t t = 0; t < tracks; ++t) columns.names.push_back(std::to_string(t));
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    columns.track.push_back(seen[k].track);
+    columns.frame.push_back(seen[k].frame);
+    columns.pos(static_cast<Index>(k), 0) = seen[k].x;
+    columns.pos(static_cast<Index>(k), 1) = seen[k].y;
+  }
+  TrackMeta meta;
+  meta.dims = 2;
+  meta.dt = 0.1;
+  meta.unit = "mm";
+  return {columns, meta};
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+// The page is 720 wide with a margin of 28: motion over 664 mm to the right is drawn at one unit per mm, at half its free height of 368.
+TEST(Picture, PlacesAreToScale) {
+  const auto svg = picture_svg(planar({{0, 0, 0, 5}, {0, 1, 664, 5}}, 1), "one");
+  EXPECT_THAT(svg, HasSubstr("M28.0 212.0L692.0 212.0"));
+  EXPECT_THAT(svg, HasSubstr(">100 mm</text>"));
+  EXPECT_THAT(svg, HasSubstr("h100.0\""));
+}
+
+TEST(Picture, UpIsUp) {
+  const auto svg = picture_svg(planar({{0, 0, 0, 0}, {0, 1, 0, 368}}, 1), "one");
+  EXPECT_THAT(svg, HasSubstr("M360.0 396.0L360.0 28.0"));
+}
+
+TEST(Picture, GapsBreakTailsAndTheAbsentAreNotDrawn) {
+  const auto svg = picture_svg(planar({{0, 0, 0, 0}, {0, 1, 10, 0}, {0, 3, 30, 0}, {0, 4, 40, 0}, {1, 0, 0, 9}, {1, 1, 10, 9}}, 2), "two");
+  EXPECT_EQ(count(svg, "class=\"h\""), 1u);
+  EXPECT_EQ(count(svg, "<path class=\"t"), 2u);  // 0-1 and 3-4, of different age
+}
+
+TEST(Picture, TitleIsEscapedAndNobodyIsAnError) {
+  EXPECT_THAT(picture_svg(planar({{0, 0, 0, 0}}, 1), "a<b&c"), HasSubstr("<title>a&lt;b&amp;c</title>"));
+  TrackMeta meta;
+  meta.dt = 1;
+  TrackColumns nobody;
+  nobody.pos.resize(0, 3);
+  EXPECT_THROW(picture_svg(Tracks(nobody, meta), "none"), InputError);
+}
+
+}  // namespace
+}  // namespace swarmfit
