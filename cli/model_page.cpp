@@ -20,11 +20,11 @@ std::string fit_unit(const Parameter& p) {
   const auto factor = [&](const char* base, double exponent) {
     if (exponent == 0) return;
     std::string& side = exponent > 0 ? above : below;
-    side += (side.empty() ? "" : " ") + std::string(base) + (std::abs(exponent) == 1 ? "" : fmt::format("^{:g}", std::abs(exponent)));
+    side += fmt::format("{}{}{}", side.empty() ? "" : " ", base, std::abs(exponent) == 1 ? "" : fmt::format("^{:g}", std::abs(exponent)));
   };
   factor(p.length == Parameter::Length::spacing ? "NND" : "L", p.unit.length);
   factor("T", p.unit.time);
-  return below.empty() ? above : (above.empty() ? "1" : above) + "/" + below;
+  return below.empty() ? above : fmt::format("{}/{}", above.empty() ? "1" : above, below);
 }
 
 std::string range_text(const Range& range) { return fmt::format("{:.4g} ({:.4g} – {:.4g})", range.initial, range.lower, range.upper); }

@@ -34,7 +34,8 @@ std::string content(const fs::path& path) {
 
 std::vector<std::string> names() {
   std::vector<std::string> all;
-  for (const auto& model : nlohmann::json::parse(printed("models --json")).at("models")) all.push_back(model.at("name"));
+  const auto document = nlohmann::json::parse(printed("models --json"));
+  for (const auto& model : document.at("models")) all.push_back(model.at("name"));
   return all;
 }
 
