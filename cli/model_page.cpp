@@ -47,9 +47,9 @@ std::string parameter_row(const Parameter& p) {
 std::string row_text(const Parameter& p) {
   const auto unit = to_string(p.unit, "L");
   return fmt::format("{}{}; scenes {:g} in {:g} .. {:g}; fits {:g} in {:g} .. {:g} {}{}{}", p.meaning,
-                     unit.empty() ? "" : " [" + unit + "]", p.scene.initial, p.scene.lower, p.scene.upper, p.fit.initial, p.fit.lower,
-                     p.fit.upper, p.length == Parameter::Length::spacing ? "(in NND)" : "(in L, T)", p.fitted ? ", searched" : "",
-                     p.when.empty() ? "" : fmt::format(", with {}", p.when));
+                     unit.empty() ? "" : fmt::format(" [{}]", unit), p.scene.initial, p.scene.lower, p.scene.upper, p.fit.initial,
+                     p.fit.lower, p.fit.upper, p.length == Parameter::Length::spacing ? "(in NND)" : "(in L, T)",
+                     p.fitted ? ", searched" : "", p.when.empty() ? "" : fmt::format(", with {}", p.when));
 }
 
 }  // namespace

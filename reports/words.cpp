@@ -120,7 +120,7 @@ std::string density_unit(std::size_t metric, const std::string& length_unit) {
 std::string panel_unit(const PanelItem& item, const std::string& length_unit) {
   std::string above;
   if (item.length != 0) above = power(length_unit.empty() ? "unit" : length_unit, item.length);
-  if (item.time > 0) above += (above.empty() ? "" : " ") + power("s", item.time);
+  if (item.time > 0) above += fmt::format("{}{}", above.empty() ? "" : " ", power("s", item.time));
   return item.time < 0 ? (above.empty() ? "1" : above) + '/' + power("s", -item.time) : above;
 }
 
