@@ -142,10 +142,10 @@ const std::vector<Parameter>& parameter_table() {
       {"l_r", "l_r", {1, 0}, {0.5, 0.01, 20}, {0.5, 0.05, 5}, spacing, true, false, repulsion, "range of repulsion", "our choice"},
       {"C_a", "C_a", {2, -2}, {0.0368, 0, 20}, {0.1, 0, 2}, extent, false, true, morse, "energy of attraction", "our choice"},
       {"l_a", "l_a", {1, 0}, {2, 0.01, 20}, {3, 0.05, 20}, spacing, true, false, morse, "range of attraction", "our choice"},
-      {"q0", "q_0", {2, -3}, {2, 0, 100}, {2, 0, 10}, extent, false, true, depot, "intake of energy", "our choice"},
+      {"q0", "q_0", {2, -3}, {2, 0, 100}, {2, 0, 5}, extent, false, true, depot, "intake of energy", "our choice"},
       {"c", "c", {0, -1}, {1, 0.01, 100}, {1, 0.1, 10}, extent, true, false, depot, "loss of stored energy", "our choice"},
       {"d2", "d_2", {-2, 1}, {1, 0, 100}, {1, 0, 10}, extent, false, true, depot, "conversion of stored energy to motion", "our choice"},
-      {"g0", "γ_0", {0, -1}, {1, 0.01, 20}, {1, 0.1, 10}, extent, true, true, depot, "linear friction", "our choice"},
+      {"g0", "γ_0", {0, -1}, {1, 0.01, 20}, {1, 0.3, 10}, extent, true, true, depot, "linear friction", "our choice"},
   };
   // clang-format on
   return table;

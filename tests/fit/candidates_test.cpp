@@ -51,7 +51,7 @@ void expect_a_quarter(const Tracks& recording) {
   for (const std::string& name : choices()) {
     const int near = about_as_fast(name, recording);
     testing::Test::RecordProperty(name, near);  // in the XML report
-    EXPECT_GE(near, kCandidates / 4) << name;
+    EXPECT_GE(near, kCandidates / 4) << name << ": " << near;
   }
 }
 
