@@ -122,7 +122,7 @@ class Zonal : public Model {
 
 }  // namespace
 
-ModelSpec zonal_spec() {
+ModelSpec zonal_spec() {  // NOLINT(readability-function-size): a table
   using enum Parameter::Length;
   constexpr double pi = std::numbers::pi, degree = pi / 180;
   return {.name = "zonal",
