@@ -99,7 +99,8 @@ void write_recovery(const std::string& dir, const Recovery& r, const Settings& s
   std::error_code no_such_file;
   fs::remove(root / "recovery.json", no_such_file);
   std::string conditions;
-  for (const auto& [name, value] : settings) conditions += fmt::format("{}{} {}", conditions.empty() ? "" : ", ", name, value);
+  for (const auto& [name, value] : settings)
+    if (name != "model" && name != "plant") conditions += fmt::format("{}{} {}", conditions.empty() ? "" : ", ", name, value);
   const PaperTable t =
       confusion_table(r, "Rows: the model that made the recordings; columns: how often each model was ranked first. " + conditions + ".");
   write(tables / "confusion.md", to_markdown(t));
