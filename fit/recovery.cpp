@@ -48,11 +48,7 @@ Tracks planted_recording(const ModelChoice& model, const std::vector<double>& pa
   return plant(model, parameters, film);
 }
 
-namespace {
-
-// What is not fitted is a constant of the method: it is the same in the planted swarms and in all models that are compared with them,
-// whatever scales a planted recording turns out to have.
-void share_constants(CompareOptions& compare, const Scales& scales) {
+CompareOptions with_shared_constants(CompareOptions compare, const Scales& scales) {
   for (const auto& model : compare.models) {
     const std::vector<double> values = planted_parameters(model, scales);
     for (std::size_t p = 0; p < values.size(); ++p) {
@@ -61,13 +57,11 @@ void share_constants(CompareOptions& compare, const Scales& scales) {
         compare.requests.set.try_emplace(fmt::format("{}.{}", model.name, row.name), values[p]);
     }
   }
+  return compare;
 }
 
-}  // namespace
-
 Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case) {
-  CompareOptions compare_options = options.compare;
-  share_constants(compare_options, options.scales);
+  CompareOptions compare_options = with_shared_constants(options.compare, options.scales);
   Recovery out;
   for (const auto& model : options.compare.models) out.compared.push_back(model.name);
   for (std::size_t p = 0; p < options.planted.size(); ++p) {

@@ -27,7 +27,7 @@ struct RecoveryCase {
   std::vector<std::string> order;  // models by rank, those without a score last
   std::vector<double> scores;      // in that order
   std::vector<double> score_se;
-  double rank_of_planted = 0;
+  int rank_of_planted = 0;  // 0: its score is undefined
 };
 
 struct Recovery {
@@ -44,6 +44,10 @@ std::vector<double> planted_parameters(const ModelChoice& model, const Scales& s
 // two times L / V.
 Tracks planted_recording(const ModelChoice& model, const std::vector<double>& parameters, PlantOptions film, const Scales& scales,
                          std::uint64_t seed);
+
+// Options under which parameters that are not fitted have the same values in the planted swarms and in all models compared with them,
+// whatever scales a planted recording turns out to have; values that were set already stay.
+CompareOptions with_shared_constants(CompareOptions compare, const Scales& scales);
 
 // Called after every case; returning false interrupts (Interrupted is thrown).
 using OnRecoveryCase = std::function<bool(const RecoveryCase&)>;

@@ -64,12 +64,13 @@ TEST(Recovery, EveryCaseIsCountedOnceAndTheSameSeedGivesTheSameAnswer) {
 
 TEST(Recovery, WhatIsNotFittedIsTheSameForAll) {
   RecoveryOptions o = tiny();
-  o.planted = {parse_model("boids")};
-  o.seeds = 1;
-  o.compare.requests.set["bswarm.time_horizon"] = 0.123;  // and the user's own values win
-  const Recovery r = recover_models(o);
-  EXPECT_EQ(r.confusion.size(), 1u);
-  EXPECT_EQ(r.parameters[0], planted_parameters(o.planted[0], o.scales));
+  o.compare.requests.set["bswarm.time_horizon"] = 0.123;
+  const auto set = with_shared_constants(o.compare, o.scales).requests.set;
+  const double crossing = 100.0 / 225;  // L / V of the planted swarms
+  EXPECT_NEAR(set.at("boids.tau"), 0.5 * crossing, 1e-12);
+  EXPECT_NEAR(set.at("bswarm.max_speed"), 50 * 225, 1e-9);
+  EXPECT_EQ(set.at("bswarm.time_horizon"), 0.123) << "the user's own value wins";
+  EXPECT_FALSE(set.contains("boids.speed")) << "fitted";
 }
 
 TEST(Recovery, PlantedModelsMustBeCompared) {
