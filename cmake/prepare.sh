@@ -74,7 +74,7 @@ configure() {
   else
     [ $# -gt 0 ] || set -- -DSWARMFIT_TESTS=OFF
   fi
-  command -v ccache >/dev/null && set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+  command -v ccache >/dev/null && set -- "$@" "-DCMAKE_CXX_COMPILER_LAUNCHER=env;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache"
   say "configuring build/$preset"
   cd_root phase configure cmake --preset "$preset" "$@"
 }

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+// Carries the precompiled headers of CMakeLists.txt; CMake makes them only for a target with a source.
