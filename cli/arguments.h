@@ -40,6 +40,7 @@ struct FitArguments {
   int bins = 0;
   int replicates = 0;
   int population = 0;
+  bool common_dynamics = false;
 };
 
 struct RecoverArguments {

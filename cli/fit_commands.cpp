@@ -17,12 +17,14 @@
 #include "cli/style.h"
 #include "cli/version.h"
 #include "fit/across.h"
+#include "fit/common_dynamics.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
 #include "reports/across_report.h"
 #include "reports/json.h"
 #include "reports/run_directory.h"
 #include "reports/terminal.h"
+#include "reports/words.h"
 
 namespace swarmfit::cli {
 namespace {
@@ -47,10 +49,12 @@ Comparison run_one(const FitArguments& a, const CompareOptions& options, const T
                    const std::string& dir) {
   const auto start = std::chrono::steady_clock::now();
   ProgressLine line(a.common.quiet);
-  Comparison result = swarmfit::compare(recording, options, [&line](const CompareProgress& now) {
+  const OnCompareProgress on_progress = [&line](const CompareProgress& now) {
     line.show(now);
     return !interrupted();
-  });
+  };
+  Comparison result =
+      swarmfit::compare(recording, a.common_dynamics ? with_common_dynamics(recording, options, on_progress) : options, on_progress);
   result.version = kVersion;
   FitArguments alone = a;
   alone.recordings = {path};
@@ -60,8 +64,8 @@ Comparison run_one(const FitArguments& a, const CompareOptions& options, const T
   return result;
 }
 
-void say_where(const FitArguments& a, const std::filesystem::path& file) {
-  if (!a.common.quiet) std::fprintf(stderr, "%s: %s\n", file.extension() == ".html" ? "report" : "summary", file.c_str());
+void say_where(const FitArguments& a, const std::string& dir) {
+  if (!a.common.quiet) std::fprintf(stderr, "report: %s\n", (std::filesystem::path(dir) / "report.html").c_str());
 }
 
 // Every recording gets a folder of its own, named after its file; equal names are numbered.
@@ -77,15 +81,17 @@ int run_several(const FitArguments& a, const CompareOptions& options, const std:
   make_directory(dir);
   write_file_atomically(dir + "/config.toml", config_toml("compare", resolved(a, options.models)));
   std::vector<Comparison> results;
+  std::vector<RecordingPage> pages;
   for (std::size_t k = 0; k < recordings.size(); ++k) {
     results.push_back(run_one(a, options, recordings[k], a.recordings[k], dir + '/' + names[k]));
     if (!a.common.json) std::printf("%s\n", ranking_text(results.back(), style()).c_str());
+    pages.push_back({names[k], headline(results.back()).sentence});
     results.back().history.clear();  // written, and long
   }
   const Across summary = across(results);
-  write_across(dir, summary);
+  write_across(dir, summary, pages, kVersion);
   std::fputs(a.common.json ? to_json(summary).c_str() : across_text(summary, style()).c_str(), stdout);
-  say_where(a, std::filesystem::path(dir) / "summary.json");
+  say_where(a, dir);
   return 0;
 }
 
@@ -97,7 +103,7 @@ int run(const FitArguments& a, const CompareOptions& options) {
     if (a.recordings.size() > 1) return run_several(a, options, dir);
     const Comparison result = run_one(a, options, load(a.data, a.recordings.front()), a.recordings.front(), dir);
     std::fputs(a.common.json ? to_json(result).c_str() : ranking_text(result, style()).c_str(), stdout);
-    say_where(a, std::filesystem::path(dir) / "report.html");
+    say_where(a, dir);
     return 0;
   } catch (const Interrupted&) {
     std::fprintf(stderr, "swarmfit: interrupted; nothing was written for the recording under way\n");

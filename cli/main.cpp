@@ -190,6 +190,8 @@ struct Program {
             "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: bswarm, noise_aware, "
             "boids, rvo, brownian and the null model langevin; all: these and every other model")
         ->check(CLI::IsMember({"noise", "ablation", "models", "all"}));
+    many.add_flag("--common", compare.common_dynamics,
+                  "fit what all the models have in common once, with the first of them, and keep it (the paper's noise comparison)");
   }
 
   void add_recover() {

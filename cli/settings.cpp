@@ -224,6 +224,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("presence", a.presence);
   text("arena", a.arena);
   positive("population", a.population);
+  if (a.common_dynamics) out.emplace_back("common", "true");
   text("obs-noise", a.observation_error);
   out.emplace_back("error-limit", fmt::format("{}", a.error_limit));
   positive("smooth", a.smoothing);

@@ -27,6 +27,7 @@ struct CompareOptions {
   std::uint64_t seed = 1;
   std::int64_t max_evaluations = 0;  // per model, over all passes; 0: none
   double error_limit = 0.5;          // a metric with a larger share of localisation error in its variance is left out of the score
+  std::vector<std::string> common;   // parameters that were fitted once for all models (fit/common_dynamics.h); only reported
   double weight_tolerance = 0.005;   // the calibration has settled when no weight changes by more
 };
 

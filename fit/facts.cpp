@@ -100,6 +100,7 @@ void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, con
   r.seed = options.seed;
   r.budget = options.budget;
   r.protocol = options.protocol;
+  r.common = options.common;
   DataFacts& d = r.data;
   d.path = meta.from.path;
   d.sha256 = meta.from.sha256;
@@ -130,6 +131,9 @@ void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, con
 
 std::vector<std::string> warnings_for(const Comparison& r) {
   std::vector<std::string> out;
+  if (!r.common.empty())
+    warn(out, "{} were fitted with {} alone and kept for all models: with dynamics of their own the others might do better.",
+         fmt::join(r.common, ", "), r.named.front());
   if (r.data.synthetic) warn(out, "This recording is synthetic: it was made by a simulator.");
   warn_of_data(r, out);
   if (r.models.size() == 2)

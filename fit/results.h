@@ -167,6 +167,7 @@ struct Comparison {
   std::string version;
   std::uint64_t seed = 0;
   std::string protocol;
+  std::vector<std::string> common;  // parameters that were fitted once, with the model named first, and are the same for all
   Budget budget{};
   DataFacts data;
   ObservationFacts observation;

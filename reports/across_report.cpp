@@ -105,7 +105,7 @@ std::string across_csv(const Across& a) {
 
 std::vector<PaperTable> paper_tables(const Across& a) { return {ranking(a), weights(a)}; }
 
-void write_across(const std::string& dir, const Across& a) {
+void write_across(const std::string& dir, const Across& a, const std::vector<RecordingPage>& pages, const std::string& version) {
   const fs::path root = dir, tables = root / "tables";
   make_directory(tables.string());
   std::error_code no_such_file;
@@ -115,6 +115,7 @@ void write_across(const std::string& dir, const Across& a) {
     write_file_atomically((tables / (t.name + ".md")).string(), to_markdown(t));
     write_file_atomically((tables / (t.name + ".tex")).string(), to_latex(t));
   }
+  write_file_atomically((root / "report.html").string(), across_html(a, pages, version));
   write_file_atomically((root / "summary.json").string(), to_json(a));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/across.h"
+#include "reports/across_html.h"
 #include "reports/paper_tables.h"
 #include "reports/text_table.h"
 
@@ -16,8 +17,8 @@ std::string to_json(const Across&);                   // "swarmfit-across/1"
 std::string across_csv(const Across&);                // one row per model and recording: model, recording, rank, score
 std::vector<PaperTable> paper_tables(const Across&);  // across_ranking, across_weights
 
-// Writes tables/ and summary.json of a run on several recordings; the runs themselves lie in folders of their own beside them. summary.json
-// comes last. Throws RunError.
-void write_across(const std::string& dir, const Across&);
+// Writes tables/, report.html and summary.json of a run on several recordings; the runs themselves lie in folders of their own beside them.
+// summary.json comes last. Throws RunError.
+void write_across(const std::string& dir, const Across&, const std::vector<RecordingPage>& pages, const std::string& version);
 
 }  // namespace swarmfit

@@ -2,24 +2,20 @@
 #include "reports/html.h"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
-#include <array>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 
-#include "libtrack/error.h"
 #include "reports/assets.h"
 #include "reports/html_sections.h"
 #include "reports/html_table.h"
 #include "reports/number.h"
+#include "reports/page.h"
 #include "reports/run_directory.h"
 #include "reports/tables.h"
 #include "reports/words.h"
 
 namespace swarmfit {
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -72,56 +68,17 @@ Json chart_data(const Comparison& c) {
           {"history", std::move(history)}};
 }
 
-// JSON that cannot end the script element it stands in.
-std::string embedded(const Json& json) {
-  std::string out;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<')
-      out += "\\u003c";
-    else
-      out += c;
-  }
-  return out;
-}
-
 // ---- the page -----------------------------------------------------------------------------------------------------------------
 
-// A source expression of the content security policy: exactly this text may run.
-std::string allowed(std::string_view text) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned length = 0;
-  if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
-    throw RunError("report.html: cannot compute SHA-256");
-  std::array<unsigned char, 4 * ((EVP_MAX_MD_SIZE + 2) / 3) + 1> base64{};
-  EVP_EncodeBlock(base64.data(), digest.data(), static_cast<int>(length));
-  return fmt::format("'sha256-{}'", reinterpret_cast<const char*>(base64.data()));
-}
+std::string policy() { return content_policy(assets::report_css, {assets::chart_js, assets::report_js}); }
 
-std::string policy() {
-  return fmt::format("default-src 'none'; script-src {} {}; style-src {}; base-uri 'none'; form-action 'none'", allowed(assets::chart_js),
-                     allowed(assets::report_js), allowed(assets::report_css));
-}
-
-// The template with every {{name}} replaced. What is put in is never searched again.
-std::string filled(std::string_view page, const std::map<std::string, std::string, std::less<>>& values) {
-  std::string out;
-  while (true) {
-    const std::size_t open = page.find("{{");
-    out += page.substr(0, open);
-    if (open == std::string_view::npos) return out;
-    const std::size_t close = page.find("}}", open);
-    out += values.at(std::string(page.substr(open + 2, close - open - 2)));
-    page.remove_prefix(close + 2);
-  }
-}
-
-std::map<std::string, std::string, std::less<>> page_values(const Comparison& c) {
+PageValues page_values(const Comparison& c) {
   const Headline answer = headline(c);
   return {{"policy", policy()},
           {"css", std::string(assets::report_css)},
           {"chart_js", std::string(assets::chart_js)},
           {"js", std::string(assets::report_js)},
-          {"data", embedded(chart_data(c))},
+          {"data", embedded(chart_data(c).dump(-1, ' ', false, Json::error_handler_t::replace))},
           {"title", html_escaped(fmt::format("{} – swarmfit", answer.sentence))},
           {"kind", c.command == "fit" ? "fit" : "comparison"},
           {"badge", sections::badge(c).text},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The parts about how a result came about: parameters, search, observation, methods, provenance.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -172,6 +173,7 @@ Html provenance(const Comparison& c) {
   Html out = fact("version", c.version);
   out += fact("seed", std::to_string(c.seed));
   out += fact("protocol", c.protocol);
+  out += fact("common parameters", fmt::format("{}", fmt::join(c.common, ", ")));
   out += fact("budget", fmt::format("{}: search {}, selection {}, confirmation on {}, report on {} replicates", c.budget.name,
                                     size_text(c.budget.search), size_text(c.budget.selection), c.budget.confirmation_replicates,
                                     c.budget.final_replicates));

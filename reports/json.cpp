@@ -188,6 +188,7 @@ std::string to_json(const Comparison& c) {
                {"command", c.command},
                {"seed", c.seed},
                {"protocol", c.protocol},
+               {"common_parameters", c.common},
                {"budget",
                 {{"name", c.budget.name},
                  {"search", search_size(c.budget.search)},

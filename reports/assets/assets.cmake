@@ -24,6 +24,7 @@ function(embed_asset name input)
 endfunction()
 
 embed_asset(report_html ${CMAKE_SOURCE_DIR}/reports/assets/report.html)
+embed_asset(across_html ${CMAKE_SOURCE_DIR}/reports/assets/across.html)
 embed_asset(report_css ${CMAKE_SOURCE_DIR}/reports/assets/report.css)
 embed_asset(report_js ${CMAKE_SOURCE_DIR}/reports/assets/report.js)
 embed_asset(chart_js ${SWARMFIT_CHART_JS})

@@ -169,7 +169,7 @@ TEST_F(Program, SeveralRecordingsGetAFolderEachAndASummary) {
   const Result r = run(std::string("compare film.csv again/film.csv -m bswarm,boids ") + kQuick + "--out s");
   ASSERT_EQ(r.code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("Rank (score) on 2 recordings"));
-  for (const char* file : {"summary.json", "config.toml", "tables/across.csv", "film/results.json", "film-2/results.json"})
+  for (const char* file : {"summary.json", "report.html", "config.toml", "tables/across.csv", "film/results.json", "film-2/results.json"})
     EXPECT_FALSE(content(dir_ / "s" / file).empty()) << file;
   EXPECT_THAT(content(dir_ / "s/film-2/config.toml"), HasSubstr("DATA = [\"again/film.csv\"]"));
   ASSERT_EQ(run("compare --config s/config.toml -q --out t").code, 0);

@@ -13,6 +13,7 @@ namespace swarmfit {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 Across sample() {
   Across a;
@@ -53,11 +54,37 @@ TEST(AcrossReport, PaperTablesHaveOneColumnPerRecording) {
     for (const auto& row : t.rows) EXPECT_EQ(row.size(), t.head.size()) << t.name;
 }
 
+TEST(AcrossReport, SentenceSaysWhoIsFirstAndHowOften) {
+  Across a = sample();
+  EXPECT_EQ(across_sentence(a), "bswarm[noise=white] has the best mean rank, 1.50; it is first on 1 of 2 recordings");
+  a.models[1].mean_rank = 1.5;
+  EXPECT_EQ(across_sentence(a), "bswarm[noise=white] and boids share the best mean rank, 1.50");
+  a.models[1].wins = 1;
+  EXPECT_THAT(across_detail(a), HasSubstr("Also first: boids on 1."));
+  a.models[0].wins = 2;
+  EXPECT_EQ(across_sentence(a), "bswarm[noise=white] is first on all 2 recordings");
+  a.models[0].mean_rank = NAN;
+  EXPECT_EQ(across_sentence(a), "No model could be scored on any recording");
+}
+
+TEST(AcrossReport, PageLinksToEveryReportAndShowsHostileNamesAsText) {
+  Across a = sample();
+  a.recordings[0] = "<script>alert(1)</script>.csv";
+  const std::string page = across_html(a, {{"<script>alert(1)</script>", "a & b"}, {"two b#1", "c"}}, "1.2.3");
+  EXPECT_THAT(page,
+              HasSubstr("<a href=\"./%3Cscript%3Ealert%281%29%3C/script%3E/report.html\">&lt;script&gt;alert(1)&lt;/script&gt;.csv</a>"));
+  EXPECT_THAT(page, HasSubstr("<a href=\"./two%20b%231/report.html\">"));
+  EXPECT_THAT(page, HasSubstr("a &amp; b"));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("{{")));
+}
+
 TEST(AcrossReport, WritesSummaryAndTables) {
   const auto dir = std::filesystem::path(testing::TempDir()) / "across_report";
   std::filesystem::remove_all(dir);
-  write_across(dir.string(), sample());
+  write_across(dir.string(), sample(), {{"one", "first"}, {"two,b", "second"}}, "1.2.3");
   EXPECT_EQ(read_file((dir / "summary.json").string()), to_json(sample()));
+  EXPECT_TRUE(std::filesystem::exists(dir / "report.html"));
   for (const char* file : {"across.csv", "across_ranking.md", "across_ranking.tex", "across_weights.md", "across_weights.tex"})
     EXPECT_TRUE(std::filesystem::exists(dir / "tables" / file)) << file;
   std::filesystem::remove_all(dir);
