@@ -2,9 +2,10 @@
 //
 // noise_aware – insects carried by a divergence-free noise field
 // ===============================================================
-// X. Wang, X. Jin, Z. Deng, L. Zhou, Inherent noise-aware insect swarm simulation, Computer Graphics Forum 33(6), 51-62, 2014, in free
-// space and without a goal (s0 = 0): the form whose two parameters (scale, gain) Ren et al. 2016 (doi:10.1371/journal.pone.0155698) fit in
-// their Tables S17-S20. Equations 2 and 3 are the paper's, after Bridson et al. 2007 (doi:10.1145/1276377.1276435).
+// X. Wang, X. Jin, Z. Deng, L. Zhou, Inherent noise-aware insect swarm simulation, Computer Graphics Forum 33(6), 51-62, 2014
+// (doi:10.1111/cgf.12277), in free space and without a goal (s0 = 0): the form whose two parameters (scale, gain) Ren et al. 2016
+// (doi:10.1371/journal.pone.0155698) fit in their Tables S17-S20. Equations 2 and 3 are the paper's, after Bridson et al. 2007
+// (doi:10.1145/1276377.1276435).
 //
 //   dx/dt = V(x) = curl N(x)                      first order: agents have no inertia, and do not see each other
 //   N     = alpha P + (1 - alpha) (n·P) n         P(x) = gain · Perlin noise of x / scale                           (2)
@@ -212,7 +213,7 @@ ModelSpec noise_aware_spec() {
   using enum Parameter::Length;
   return {.name = "noise_aware",
           .summary = "agents carried by a divergence-free noise field inside a cage, without interaction",
-          .citation = "Wang et al. 2014, Computer Graphics Forum 33(6), 51-62; fitted by Ren et al. 2016, doi:10.1371/journal.pone.0155698",
+          .citation = "Wang et al. 2014, doi:10.1111/cgf.12277; fitted by Ren et al. 2016, doi:10.1371/journal.pone.0155698",
           .dims = {2, 3},
           .native_dt = 1.0 / 60,
           .largest_dt = 1.0 / 40,  // a midpoint step of L / 40 at the recorded speed, a sixth of the smallest scale
