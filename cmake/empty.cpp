@@ -1,2 +1,0 @@
-// SPDX-License-Identifier: MIT
-// Carries the precompiled headers of CMakeLists.txt; CMake makes them only for a target with a source.
