@@ -20,7 +20,7 @@ Avoider::Avoider(int dims, Infeasible infeasible) : dims_(dims), infeasible_(inf
 
 void Avoider::begin(const State& now, const Bounds& bounds, const Limits& limits) {
   limits_ = limits;
-  around_.build(now.pos, bounds, limits.range, Neighbours::Method::grid);
+  around_.build(now.pos, bounds, limits.range);
   hint_.resize(static_cast<std::size_t>(now.size()), 0.0);
   for (auto& thread : threads_) thread.infeasible = 0;
 }
