@@ -43,6 +43,10 @@ enum Row : std::size_t { kGamma1, kGamma2, kD, kCr, kK, kLr, kCa, kLa, kQ0, kC, 
 constexpr double kLargestChange = 0.2;  // gamma2 |v|² dt
 constexpr double kRanges = 30;          // as far as forces reach
 
+struct Buffers : Workspace {
+  Rows force;  // what the others do to each, where all pairs are taken
+};
+
 class Brownian : public Model {
  public:
   explicit Brownian(const Setup& setup)
@@ -54,6 +58,7 @@ class Brownian : public Model {
         centre_(setup) {}
 
   Index columns() const override { return 1; }
+  std::unique_ptr<Workspace> workspace(const World&, const Rng&) const override { return std::make_unique<Buffers>(); }
 
   void enter(State& state, Index first, const World&, const StepContext& c) const override {
     if (!depot_) return;
@@ -63,6 +68,9 @@ class Brownian : public Model {
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
     if (!depot_ && c.can_halve && too_fast(now, c)) return Step::halve_dt;
     if (repulsion_) c.near.build(now.pos, world.bounds, kRanges * std::max(c.p[kLr], attraction_ ? c.p[kLa] : 0.0));
+    Rows& pairwise = static_cast<Buffers*>(c.work)->force;
+    const bool pairs = repulsion_ && now.size() < Neighbours::kAllPairsBelow;
+    if (pairs) pair_forces(now, c, pairwise);
     const Array3d centre = centre_.in(world.bounds);
     const double kick = std::sqrt(2 * c.p[kD] * c.dt);
     for_each_agent(now.size(), [&](Index i, std::size_t) {
@@ -70,7 +78,7 @@ class Brownian : public Model {
       const Array3d before = now.vel.row(i).transpose();
       Array3d force = propulsion(now, next, i, c) * before;
       if (confined_) force += c.p[kK] * world.bounds.separation(now.pos.row(i).transpose(), centre);
-      if (repulsion_) force += interaction(now, i, c);
+      if (repulsion_) force += pairs ? Array3d(pairwise.row(i).transpose()) : interaction(now, i, c);
       Array3d v = before + force * c.dt + kick * gaussian_noise(c.rng, c.tick, id);
       if (dims_ == 2) v[2] = 0;
       next.vel.row(i) = v.transpose();
@@ -117,6 +125,29 @@ class Brownian : public Model {
       }
     });
     return force;
+  }
+
+  // The same for everybody, each pair once: action and reaction are equal, and everybody meets the others in the same order as there.
+  void pair_forces(const State& now, const StepContext& c, Rows& force) const {
+    force.setZero(now.size(), 3);
+    double *fx = force.col(0).data(), *fy = force.col(1).data(), *fz = force.col(2).data();
+    for (Index i = 0; i < now.size(); ++i)
+      c.near.visit_later(i, [&](Index j, const Array3d& offset, double distance) {
+        if (distance > 0) {
+          const double factor = strength(distance, c) / distance;
+          fx[i] -= factor * offset[0];
+          fy[i] -= factor * offset[1];
+          fz[i] -= factor * offset[2];
+          fx[j] += factor * offset[0];
+          fy[j] += factor * offset[1];
+          fz[j] += factor * offset[2];
+          return;
+        }
+        const std::uint32_t one = now.id[static_cast<std::size_t>(i)], other = now.id[static_cast<std::size_t>(j)];
+        const Array3d apart = strength(0, c) * parting_direction(c.rng, c.tick, one, other, dims_);
+        force.row(i) += apart.transpose();
+        force.row(j) -= apart.transpose();
+      });
   }
 
   int dims_;
