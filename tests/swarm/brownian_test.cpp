@@ -174,6 +174,26 @@ TEST(BrownianForce, RepulsionAndMorse) {
   expect("none", 0);
 }
 
+// Small groups are taken pair by pair; the sum over all others, agent by agent.
+TEST(BrownianForce, OfAGroupIsTheSumOverTheOthers) {
+  constexpr Index n = 150;  // more than one block of neighbours
+  std::vector<std::pair<Array3d, Array3d>> agents;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const auto xy = Rng{5}.uniform2(Stream::probe, 0, i, 0);
+    agents.emplace_back(2 * Array3d(xy[0], xy[1], Rng{5}.uniform(Stream::probe, 0, i, 1)), Array3d::Zero());
+  }
+  const Rows a = acceleration("brownian[confinement=none]", agents, {{"C_r", 2}, {"l_r", 0.5}});
+  for (Index i = 0; i < n; ++i) {
+    Array3d sum = Array3d::Zero();
+    for (Index j = 0; j < n; ++j) {
+      const Array3d from = agents[static_cast<std::size_t>(i)].first - agents[static_cast<std::size_t>(j)].first;
+      const double d = std::sqrt(from.square().sum());
+      if (j != i) sum += 2 / 0.5 * std::exp(-d / 0.5) / d * from;
+    }
+    ASSERT_LT((a.row(i).transpose() - sum).abs().maxCoeff(), 1e-9) << "agent " << i;
+  }
+}
+
 TEST(BrownianForce, SamePlaceParts) {
   const Rows a = acceleration("brownian[confinement=none]", {{{1, 2, 3}, {0, 0, 0}}, {{1, 2, 3}, {0, 0, 0}}}, {{"C_r", 2}, {"l_r", 0.5}});
   EXPECT_NEAR(std::sqrt(a.row(0).square().sum()), 4, 1e-9);
