@@ -21,25 +21,28 @@ bool Observer::seen(std::uint32_t id) const { return mask_ ? std::binary_search(
 
 void Observer::frame(const Snapshot& now) {
   if (mask_) advance_to(now.frame);
-  std::vector<Index> rows;
+  rows_.clear();
   id_.clear();
   kind_.clear();
   for (std::size_t i = 0; i < now.id.size(); ++i) {
     if (!seen(now.id[i])) continue;
-    rows.push_back(static_cast<Index>(i));
+    rows_.push_back(static_cast<Index>(i));
     id_.push_back(now.id[i]);
     kind_.push_back(now.kind[i]);
   }
-  pos_.resize(static_cast<Index>(rows.size()), 3);
-  vel_.resize(static_cast<Index>(rows.size()), 3);
+  pos_.resize(static_cast<Index>(rows_.size()), 3);
+  vel_.resize(static_cast<Index>(rows_.size()), 3);
   const auto tick = static_cast<std::uint64_t>(now.frame) & 0xFFFFFFFFFFFFu;  // frame numbers may be negative
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  const bool blurred = (sigma_ != 0).any();
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto row = static_cast<Index>(i);
+    pos_.row(row) = now.pos.row(rows_[i]);
+    vel_.row(row) = now.vel.row(rows_[i]);
+    if (!blurred) continue;
     const auto xy = rng_.normal2(Stream::localisation, tick, id_[i], 0);
     const double z = sigma_[2] > 0 ? rng_.normal2(Stream::localisation, tick, id_[i], 1)[0] : 0;
     const Eigen::Array3d error = sigma_ * Eigen::Array3d(xy[0], xy[1], z);
-    pos_.row(row) = now.pos.row(rows[i]) + error.transpose();
-    vel_.row(row) = now.vel.row(rows[i]);
+    pos_.row(row) += error.transpose();
   }
   out_.frame({now.frame, id_, kind_, pos_, vel_});
 }

@@ -26,6 +26,7 @@ class Observer : public FrameSink {
   std::uint32_t tracked_;
   std::size_t cursor_ = 0;                  // first frame of the mask not before the present one
   std::span<const std::uint32_t> visible_;  // track numbers seen in this frame, ascending
+  std::vector<Index> rows_;                 // seen in this frame
   std::vector<std::uint32_t> id_;           // buffers of the frame passed on
   std::vector<std::uint8_t> kind_;
   Rows pos_, vel_;

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
+
+#include "libtrack/hot.h"
 
 namespace swarmfit {
 namespace {
@@ -13,10 +16,36 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSpreadFloor = 0.01;  // of |mean|: a standard deviation never counts as smaller
 constexpr double kRounding = 1e-9;     // of the natural scale: a smaller standard deviation is rounding
 
+double total(const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
+
+// Sum of (x - shift)^power, power 1 or 2, in four partial sums.
+template <int power>
+inline __attribute__((always_inline)) double power_sum(const double* x, std::size_t n, double shift) {
+  Lanes sums{};
+  std::size_t i = 0;
+  for (; i + 4 <= n; i += 4) {
+    Lanes d;
+    load(x + i, d);
+    d -= shift;
+    sums += power == 1 ? d : d * d;
+  }
+  for (; i < n; ++i) sums[i % 4] += power == 1 ? x[i] - shift : (x[i] - shift) * (x[i] - shift);
+  return total(sums);
+}
+
+SWARMFIT_HOT Moments two_passes(const double* x, std::size_t n) {
+  // From the first value on, so that a constant has no spread, not even by rounding.
+  const double mean = x[0] + power_sum<1>(x, n, x[0]) / static_cast<double>(n);
+  return {n, mean, power_sum<2>(x, n, mean)};
+}
+
 Moments moments(const std::vector<double>& values) {
-  Moments m;
-  for (const double x : values) m.add(x);
-  return m;
+  if (values.empty()) return {};
+  const Moments m = two_passes(values.data(), values.size());
+  if (std::isfinite(m.m2)) return m;
+  Moments one_by_one;
+  for (const double x : values) one_by_one.add(x);
+  return one_by_one;
 }
 
 // Is there a distribution to speak of, or a constant with its rounding?
@@ -34,21 +63,56 @@ ZScore onto_interval(double low, double high, const Binning& b) {
   return {low - scale * b.lower, scale};
 }
 
-Histogram histogram(const std::vector<double>& values, const ZScore& z, const Binning& b) {
-  Histogram h{std::vector<std::uint64_t>(static_cast<std::size_t>(b.bins), 0), 0, 0};
+// The bins of n values, a multiple of 4; a z-score outside gets the bin at its end. Returns how many are outside, or -1 if one is NaN.
+SWARMFIT_HOT std::int64_t bins_of(const double* x, std::size_t n, const ZScore& z, const Binning& b, std::int32_t* bin) {
+  using Four = std::int32_t __attribute__((vector_size(16)));
   const double per_unit = b.bins / (b.upper - b.lower);
+  const Lanes lower = Lanes{} + b.lower, upper = Lanes{} + b.upper, last = Lanes{} + (b.bins - 1);
+  LaneMask outside{}, undefined{};  // a comparison that holds is -1
+  for (std::size_t i = 0; i < n; i += 4) {
+    Lanes value;
+    load(x + i, value);
+    const Lanes score = (value - z.shift) / z.scale;
+    outside -= (score < lower) | (score > upper);
+    undefined |= score != score;
+    const Lanes high = score > upper ? upper : score, within = high >= lower ? high : lower;
+    const Lanes place = (within - lower) * per_unit;
+    const Four bins = __builtin_convertvector(place < last ? place : last, Four);
+    std::memcpy(bin + i, &bins, sizeof bins);
+  }
+  if (undefined[0] | undefined[1] | undefined[2] | undefined[3]) return -1;
+  return (outside[0] + outside[1]) + (outside[2] + outside[3]);
+}
+
+void count_one(double x, const ZScore& z, const Binning& b, Histogram& h) {
   const auto last = static_cast<std::size_t>(b.bins - 1);
-  for (const double x : values) {
-    const double score = (x - z.shift) / z.scale;
-    if (std::isnan(score)) continue;
-    ++h.samples;
-    if (score >= b.lower && score <= b.upper) {  // so the cast below is safe
-      ++h.counts[std::min(static_cast<std::size_t>((score - b.lower) * per_unit), last)];
+  const double score = (x - z.shift) / z.scale;
+  if (std::isnan(score)) return;
+  ++h.samples;
+  if (score >= b.lower && score <= b.upper) {  // so the cast below is safe
+    ++h.counts[std::min(static_cast<std::size_t>((score - b.lower) * (b.bins / (b.upper - b.lower))), last)];
+  } else {
+    ++h.outside;
+    if (b.clip) ++h.counts[score < b.lower ? 0 : last];
+  }
+}
+
+Histogram histogram(const std::vector<double>& values, const ZScore& z, const Binning& b) {
+  constexpr std::size_t block = 256;
+  Histogram h{std::vector<std::uint64_t>(static_cast<std::size_t>(b.bins), 0), 0, 0};
+  std::int32_t bin[block];
+  std::size_t i = 0;
+  for (; i + block <= values.size(); i += block) {
+    const std::int64_t outside = bins_of(values.data() + i, block, z, b, bin);
+    if (outside == 0 || (outside > 0 && b.clip)) {
+      for (const std::int32_t k : bin) ++h.counts[static_cast<std::size_t>(k)];
+      h.samples += block;
+      h.outside += static_cast<std::uint64_t>(outside);
     } else {
-      ++h.outside;
-      if (b.clip) ++h.counts[score < b.lower ? 0 : last];
+      for (std::size_t k = i; k < i + block; ++k) count_one(values[k], z, b, h);
     }
   }
+  for (; i < values.size(); ++i) count_one(values[i], z, b, h);
   return h;
 }
 

@@ -4,6 +4,7 @@
 #include <nanoflann.hpp>
 
 #include "libeval/metrics.h"
+#include "libtrack/hot.h"
 
 namespace swarmfit {
 namespace {
@@ -32,14 +33,32 @@ struct Cloud {
   }
 };
 
-// Every pair once. Whoever one is offered comes in ascending order, so the strict comparisons leave ties with the lowest.
-void all_pairs(const Cloud& cloud, double* squared, Index* who) {
-  for (Index i = 0; i < cloud.count; ++i)
-    for (Index j = i + 1; j < cloud.count; ++j) {
-      const double d2 = cloud.squared_distance(i, j);
-      if (d2 < squared[i]) squared[i] = d2, who[i] = j;
-      if (d2 < squared[j]) squared[j] = d2, who[j] = i;
+// Four at a time. Everybody is met in ascending order, so the strict comparisons leave ties with the lowest, in each lane and at the end.
+SWARMFIT_HOT void all_pairs(const Cloud& cloud, double* squared, Index* who) {
+  const Index blocks = cloud.count / 4 * 4;
+  for (Index i = 0; i < cloud.count; ++i) {
+    const auto self = static_cast<double>(i);
+    Lanes least = Lanes{} + kInfinity, nearest = Lanes{} - 1, index{0, 1, 2, 3};
+    for (Index j = 0; j < blocks; j += 4) {
+      Lanes x, y, z;
+      load(cloud.x + j, x), load(cloud.y + j, y), load(cloud.z + j, z);
+      const Lanes dx = cloud.x[i] - x, dy = cloud.y[i] - y, dz = cloud.z[i] - z;
+      const Lanes d2 = dx * dx + dy * dy + dz * dz;
+      const auto closer = (d2 < least) & (index != self);
+      least = closer ? d2 : least;
+      nearest = closer ? index : nearest;
+      index += 4;
     }
+    double best = kInfinity, row = -1;
+    for (int l = 0; l < 4; ++l)
+      if (least[l] < best || (least[l] == best && nearest[l] < row)) best = least[l], row = nearest[l];
+    for (Index j = blocks; j < cloud.count; ++j) {
+      const double d2 = cloud.squared_distance(i, j);
+      if (j != i && d2 < best) best = d2, row = static_cast<double>(j);
+    }
+    squared[i] = best;
+    who[i] = static_cast<Index>(row);
+  }
 }
 
 // nanoflann's result set for "the nearest other, the lowest index among equals".

@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "libtrack/hot.h"
+
 namespace swarmfit {
 namespace {
 
@@ -85,7 +87,67 @@ std::optional<Vector3d> solve(std::span<const HalfSpace> allowed, const Goal& go
   return v;
 }
 
+// ---- four half-spaces at once; operation by operation reciprocal_half_space -----------------------------------------
+
+inline __attribute__((always_inline)) void dot(const Lanes (&a)[3], const Lanes (&b)[3], Lanes& out) {
+  out = (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+}
+
+inline __attribute__((always_inline)) void root(const Lanes& a, Lanes& out) {
+  for (int l = 0; l < 4; ++l) out[l] = std::sqrt(a[l]);
+}
+
+struct FourHalfSpaces {
+  Lanes normal[3], bound;
+};
+
+struct Encounter {
+  double velocity[3], distance, tau, dt;
+};
+
+SWARMFIT_HOT void four_half_spaces(const FourNeighbours& four, const Encounter& e, FourHalfSpaces& out) {
+  Lanes o[3], r[3];
+  for (int k = 0; k < 3; ++k) load(four.offset[k], o[k]), load(four.relative[k], r[k]);
+  const Lanes zero{}, one = zero + 1;
+  const double touch2 = e.distance * e.distance;
+  Lanes apart2, side, w2, b, speed2, cross2, sqrt;
+  dot(o, o, apart2);
+  const LaneMask touching = apart2 <= touch2;
+  const Lanes horizon = touching ? zero + e.dt : zero + e.tau;
+  Lanes w[3] = {r[0] - o[0] / horizon, r[1] - o[1] / horizon, r[2] - o[2] / horizon};
+  dot(w, o, side);
+  dot(w, w, w2);
+  const LaneMask cone = ~touching & ~((side < 0) & (side * side > touch2 * w2));
+  const Lanes cross[3] = {o[1] * r[2] - o[2] * r[1], o[2] * r[0] - o[0] * r[2], o[0] * r[1] - o[1] * r[0]};
+  dot(o, r, b);
+  dot(r, r, speed2);
+  dot(cross, cross, cross2);
+  const Lanes c = speed2 - cross2 / (apart2 - touch2), under = b * b - apart2 * c;
+  root(under > 0 ? under : zero, sqrt);
+  const Lanes t = (b + sqrt) / apart2;
+  const Lanes cut = cone ? t * e.distance : e.distance / horizon;
+  for (int k = 0; k < 3; ++k) w[k] = cone ? r[k] - t * o[k] : w[k];
+  dot(w, w, w2);
+  Lanes length;
+  root(w2, length);
+  for (int k = 0; k < 3; ++k) out.normal[k] = length > 0 ? w[k] / length : (k == 0 ? one : zero);
+  const Lanes v[3] = {zero + e.velocity[0], zero + e.velocity[1], zero + e.velocity[2]};
+  dot(out.normal, v, out.bound);
+  out.bound += 0.5 * (cut - length);
+}
+
 }  // namespace
+
+void reciprocal_half_spaces(const FourNeighbours* neighbours, std::size_t n, const Vector3d& velocity, double distance, double tau,
+                            double dt, HalfSpace* out) {
+  const Encounter encounter{{velocity[0], velocity[1], velocity[2]}, distance, tau, dt};
+  FourHalfSpaces h;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto l = k % 4;
+    if (l == 0) four_half_spaces(neighbours[k / 4], encounter, h);
+    out[k] = {{h.normal[0][l], h.normal[1][l], h.normal[2][l]}, h.bound[l]};
+  }
+}
 
 HalfSpace reciprocal_half_space(const Vector3d& offset, const Vector3d& velocity, const Vector3d& relative, double distance, double tau,
                                 double dt, const Vector3d& tie) {

@@ -26,6 +26,15 @@ struct HalfSpace {
 HalfSpace reciprocal_half_space(const Eigen::Vector3d& offset, const Eigen::Vector3d& velocity, const Eigen::Vector3d& relative,
                                 double distance, double tau, double dt, const Eigen::Vector3d& tie);
 
+// Four neighbours of one agent, a component per entry.
+struct FourNeighbours {
+  double offset[3][4]{}, relative[3][4]{};
+};
+
+// The same for n neighbours, four at a time and with the same bits: half-space k is out[k]. The tie is the x axis.
+void reciprocal_half_spaces(const FourNeighbours* neighbours, std::size_t n, const Eigen::Vector3d& velocity, double distance, double tau,
+                            double dt, HalfSpace* out);
+
 struct Avoidance {
   Eigen::Vector3d velocity;
   bool feasible;  // false: no velocity is in all half-spaces and within the speed limit; `velocity` is then meaningless

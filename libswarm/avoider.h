@@ -41,8 +41,13 @@ class Avoider {
   Step end(const StepContext& c) const;
 
  private:
+  struct PerThread;
+  // What agent i may do about those found near it.
+  void forbid(const State& now, Index i, std::span<const Neighbours::Found> found, const StepContext& c, PerThread& mine) const;
+
   struct PerThread {
     Neighbours::Scratch nearest;
+    std::vector<FourNeighbours> near;
     std::vector<HalfSpace> allowed, scratch;
     std::uint64_t infeasible = 0;
   };

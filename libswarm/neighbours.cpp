@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "libswarm/neighbours.h"
 
+#include <limits>
 #include <utility>
+
+#include "libtrack/hot.h"
 
 namespace swarmfit {
 namespace {
@@ -9,6 +12,52 @@ namespace {
 constexpr double kPerCell = 4;        // agents per cell that a search aims at
 constexpr double kMargin = 1e-9;      // of a cell: an agent may lie outside its cell by rounding
 constexpr double kCellsPerAgent = 2;  // more cells than this cost more to clear than they save
+constexpr std::size_t kRanked = 32;   // this few are sorted by counting, for each, who comes before it
+
+// Where somebody is, and the periods; 0: none.
+struct Origin {
+  double x, y, z;
+  double period[3];
+};
+
+template <bool periodic>
+inline __attribute__((always_inline)) void squares(const double* x, const double* y, const double* z, Index n, const Origin& from,
+                                                   double* out) {
+  for (Index s = 0; s < n; ++s) {
+    double dx = x[s] - from.x, dy = y[s] - from.y, dz = z[s] - from.z;
+    if constexpr (periodic) {
+      dx = Neighbours::shortest(dx, from.period[0]);
+      dy = Neighbours::shortest(dy, from.period[1]);
+      dz = Neighbours::shortest(dz, from.period[2]);
+    }
+    out[s] = dx * dx + dy * dy + dz * dz;
+  }
+}
+
+SWARMFIT_HOT void squares_open(const double* __restrict x, const double* __restrict y, const double* __restrict z, Index n,
+                               const Origin& from, double* __restrict out) {
+  squares<false>(x, y, z, n, from, out);
+}
+
+SWARMFIT_HOT void squares_periodic(const double* __restrict x, const double* __restrict y, const double* __restrict z, Index n,
+                                   const Origin& from, double* __restrict out) {
+  squares<true>(x, y, z, n, from, out);
+}
+
+struct Keys {
+  Lanes distance2[kRanked / 4], row[kRanked / 4];
+};
+
+// For each of the first n how many come before: nearer, or as near and with a lower row. Beyond n, to a multiple of 4, keys are infinite.
+SWARMFIT_HOT void count_before(const Keys& keys, std::size_t n, std::size_t* before) {
+  for (std::size_t a = 0; a < n; ++a) {
+    const double distance2 = keys.distance2[a / 4][a % 4], row = keys.row[a / 4][a % 4];
+    LaneMask sum{};
+    for (std::size_t b = 0; b < (n + 3) / 4; ++b)
+      sum -= (keys.distance2[b] < distance2) | ((keys.distance2[b] == distance2) & (keys.row[b] < row));
+    before[a] = static_cast<std::size_t>((sum[0] + sum[1]) + (sum[2] + sum[3]));
+  }
+}
 
 }  // namespace
 
@@ -103,9 +152,17 @@ double Neighbours::gap(const Axis& axis, Index cell, double x) {
   return std::max({0.0, low - x, x - low - axis.edge}) * (1 - kMargin);
 }
 
+void Neighbours::squared_distances(Index self, Index first, Index end, double* out) const {
+  const auto s = static_cast<std::size_t>(self);
+  const Origin from{x_[0][s], x_[1][s], x_[2][s], {axes_[0].period, axes_[1].period, axes_[2].period}};
+  const auto compute = periodic_ ? squares_periodic : squares_open;
+  compute(x_[0].data() + first, x_[1].data() + first, x_[2].data() + first, end - first, from, out);
+}
+
 // Everybody but i nearer than `radius`, in slot order.
-Index Neighbours::gather(Index i, double radius, Scratch& scratch) const {
+std::size_t Neighbours::gather(Index i, double radius, Scratch& scratch) const {
   const Index self = slot(i);
+  if (all_pairs_) return gather_all(radius, scratch);
   std::vector<Found>& found = scratch.found;
   std::size_t count = 0;
   for_each_run(i, radius, [&](Index first, Index end) {
@@ -118,10 +175,32 @@ Index Neighbours::gather(Index i, double radius, Scratch& scratch) const {
       count += static_cast<std::size_t>((d2 < radius * radius) & (s != self));
     }
   });
-  return static_cast<Index>(count);
+  return count;
+}
+
+// The same from the distances of all slots, which `nearest` has computed.
+std::size_t Neighbours::gather_all(double radius, Scratch& scratch) const {
+  const double limit2 = radius * radius;
+  const double* distance2 = scratch.distance2.data();
+  std::uint32_t* slots = scratch.slots.data();
+  const auto n = static_cast<std::uint32_t>(size());
+  std::size_t count = 0;
+  for (std::uint32_t s = 0; s < n; ++s) {
+    slots[count] = s;
+    count += static_cast<std::size_t>(distance2[s] < limit2);
+  }
+  for (std::size_t k = 0; k < count; ++k) scratch.found[k] = {distance2[slots[k]], static_cast<Index>(slots[k])};
+  return count;
 }
 
 std::span<const Neighbours::Found> Neighbours::nearest(Index i, std::size_t k, double radius, double& hint, Scratch& scratch) const {
+  if (all_pairs_) {
+    scratch.found.resize(static_cast<std::size_t>(size()));
+    scratch.slots.resize(static_cast<std::size_t>(size()));
+    scratch.distance2.resize(static_cast<std::size_t>(size()));
+    squared_distances(slot(i), 0, size(), scratch.distance2.data());
+    scratch.distance2[static_cast<std::size_t>(slot(i))] = std::numeric_limits<double>::infinity();
+  }
   // Search spheres that grow until they hold k.
   double reach = hint > 0 ? std::min(1.1 * hint, radius) : radius;
   if (hint <= 0 && !all_pairs_) {
@@ -130,18 +209,38 @@ std::span<const Neighbours::Found> Neighbours::nearest(Index i, std::size_t k, d
     const double edge = std::max({axes_[0].edge, axes_[1].edge, axes_[2].edge});
     reach = std::min(radius, edge * std::cbrt(static_cast<double>(k) / here));
   }
-  auto count = static_cast<std::size_t>(gather(i, reach, scratch));
+  auto count = gather(i, reach, scratch);
   while (count < k && reach < radius) {
     reach = std::min(1.5 * reach, radius);
-    count = static_cast<std::size_t>(gather(i, reach, scratch));
+    count = gather(i, reach, scratch);
   }
-  const auto closer = [this](const Found& a, const Found& b) {
-    return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : row(a.slot) < row(b.slot);
-  };
-  const auto first = scratch.found.begin();
+  const auto found = sorted(k, count, scratch);
+  hint = found.size() == k && k > 0 ? std::sqrt(found[k - 1].distance2) : radius;
+  return found;
+}
+
+// The first k of the `count` that were found.
+std::span<const Neighbours::Found> Neighbours::sorted(std::size_t k, std::size_t count, Scratch& scratch) const {
   const std::size_t kept = std::min(k, count);
-  std::partial_sort(first, first + static_cast<std::ptrdiff_t>(kept), first + static_cast<std::ptrdiff_t>(count), closer);
-  hint = kept == k && k > 0 ? std::sqrt(scratch.found[k - 1].distance2) : radius;
+  const auto first = scratch.found.begin();
+  if (count <= 1) return {scratch.found.data(), kept};
+  if (count > kRanked) {
+    const auto closer = [this](const Found& a, const Found& b) {
+      return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : row(a.slot) < row(b.slot);
+    };
+    std::partial_sort(first, first + static_cast<std::ptrdiff_t>(kept), first + static_cast<std::ptrdiff_t>(count), closer);
+    return {scratch.found.data(), kept};
+  }
+  Found found[kRanked];
+  Keys keys;
+  std::size_t before[kRanked];
+  for (std::size_t a = 0; a < (count + 3) / 4 * 4; ++a) {
+    if (a < count) found[a] = scratch.found[a];
+    keys.distance2[a / 4][a % 4] = a < count ? found[a].distance2 : std::numeric_limits<double>::infinity();
+    keys.row[a / 4][a % 4] = a < count ? static_cast<double>(row(found[a].slot)) : std::numeric_limits<double>::infinity();
+  }
+  count_before(keys, count, before);
+  for (std::size_t a = 0; a < count; ++a) scratch.found[before[a]] = found[a];
   return {scratch.found.data(), kept};
 }
 

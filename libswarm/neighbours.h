@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -35,6 +37,8 @@ class Neighbours {
   // What one thread needs for `nearest`; reused from call to call.
   struct Scratch {
     std::vector<Found> found;
+    std::vector<double> distance2;  // of all slots, infinite for oneself
+    std::vector<std::uint32_t> slots;
   };
 
   // Positions must be finite.
@@ -44,6 +48,7 @@ class Neighbours {
   template <class Visit>
   void visit(Index i, Visit&& visit) const {
     const Index self = slot(i);
+    if (all_pairs_) return visit_from(0, self, visit);
     for_each_run(i, radius_, [&](Index first, Index end) {
       for (Index s = first; s < end; ++s) {
         const Eigen::Array3d between = offset(self, s);
@@ -51,6 +56,13 @@ class Neighbours {
         if (d2 < radius_ * radius_ && s != self) visit(row(s), between, std::sqrt(d2));
       }
     });
+  }
+
+  // The same for j > i only, in ascending order. For all pairs.
+  template <class Visit>
+  void visit_later(Index i, Visit&& visit) const {
+    assert(all_pairs_);
+    visit_from(i + 1, i, visit);
   }
 
   // For kernels that do their own distance test: run(first, end) is called for ranges of slots that together hold everybody nearer to i
@@ -98,10 +110,16 @@ class Neighbours {
     Index first, last;
     bool all;
   };
+  template <class Visit>
+  void visit_from(Index begin, Index self, Visit& visit) const;
   Span span(const Axis& axis, double x, double reach) const;
   static double gap(const Axis& axis, Index cell, double x);
   static Index wrapped(Index cell, Index cells) { return cell < 0 ? cell + cells : (cell >= cells ? cell - cells : cell); }
-  Index gather(Index i, double radius, Scratch& scratch) const;
+  std::size_t gather(Index i, double radius, Scratch& scratch) const;
+  std::size_t gather_all(double radius, Scratch& scratch) const;
+  std::span<const Found> sorted(std::size_t k, std::size_t count, Scratch& scratch) const;
+  // |offset(self, s)|² for the slots first .. end-1.
+  void squared_distances(Index self, Index first, Index end, double* out) const;
   void lay_grid(const Rows& pos, const Bounds& bounds);
   void sort_into_cells(const Rows& pos);
 
@@ -112,6 +130,20 @@ class Neighbours {
   std::vector<Index> row_, slot_;         // row of a slot, slot of a row
   std::vector<Index> cell_, cell_first_;  // cell of a row; first slot of a cell
 };
+
+template <class Visit>
+void Neighbours::visit_from(Index begin, Index self, Visit& visit) const {
+  constexpr Index block = 128;
+  double distance2[block];
+  for (Index first = begin; first < size(); first += block) {
+    const Index end = std::min(first + block, size());
+    squared_distances(self, first, end, distance2);
+    for (Index s = first; s < end; ++s) {
+      const double d2 = distance2[s - first];
+      if (d2 < radius_ * radius_ && s != self) visit(row(s), offset(self, s), std::sqrt(d2));
+    }
+  }
+}
 
 template <class Run>
 void Neighbours::for_each_run(Index i, double radius, Run&& run) const {

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "libtrack/hot.h"
+
 namespace swarmfit {
 namespace {
 
@@ -38,6 +40,70 @@ Ramp blend(const Ramp& a, const Ramp& b, const Along& along, std::size_t axis) {
   Ramp r = mix(a, b, along.fade);
   r[1 + axis] += along.slope * (b[0] - a[0]);
   return r;
+}
+
+// ---- several potentials at once, one per lane; operation by operation what Perlin does ----------------------------------------------
+
+struct Along4 {
+  unsigned cell[4];
+  Lanes t, fade, slope;
+};
+
+inline __attribute__((always_inline)) Along4 along(const double* x) {
+  Along4 a;
+  Lanes floor;
+  for (int l = 0; l < 4; ++l) {
+    floor[l] = std::floor(x[l]);
+    a.cell[l] = static_cast<unsigned>(static_cast<std::int64_t>(floor[l])) & 255u;
+    a.t[l] = x[l];
+  }
+  const Lanes t = a.t - floor;
+  a.t = t;
+  a.fade = t * t * t * (t * (t * 6 - 15) + 10);
+  a.slope = 30 * t * t * (t - 1) * (t - 1);
+  return a;
+}
+
+struct Ramps {
+  Lanes value, x, y, z;
+};
+
+inline __attribute__((always_inline)) Ramps mixed(const Ramps& a, const Ramps& b, const Lanes& w) {
+  return {a.value + w * (b.value - a.value), a.x + w * (b.x - a.x), a.y + w * (b.y - a.y), a.z + w * (b.z - a.z)};
+}
+
+// The three permutations, each twice, and where each potential is taken; the fourth lane is not used.
+using Hash = std::array<std::uint8_t, 512>;
+struct Query {
+  const Hash* hash[4];
+  double x[3][4];
+};
+
+SWARMFIT_HOT void three_potentials(const Query& query, Ramps& out) {
+  const Along4 x = along(query.x[0]), y = along(query.x[1]), z = along(query.x[2]);
+  unsigned h[8][4];
+  for (int l = 0; l < 4; ++l) {
+    const std::uint8_t* hash = query.hash[l]->data();
+    for (unsigned c = 0; c < 8; ++c)
+      h[c][l] = hash[hash[hash[x.cell[l] + (c & 1)] + y.cell[l] + (c >> 1 & 1)] + z.cell[l] + (c >> 2)] & 15u;
+  }
+  Ramps corner[8];
+  for (unsigned c = 0; c < 8; ++c) {
+    const double *a = kGradient[h[c][0]], *b = kGradient[h[c][1]], *d = kGradient[h[c][2]], *e = kGradient[h[c][3]];
+    const Lanes gx{a[0], b[0], d[0], e[0]}, gy{a[1], b[1], d[1], e[1]}, gz{a[2], b[2], d[2], e[2]};
+    corner[c] = {gx * (x.t - (c & 1)) + gy * (y.t - (c >> 1 & 1)) + gz * (z.t - (c >> 2)), gx, gy, gz};
+  }
+  Ramps edge[4], face[2];
+  for (int k = 0; k < 4; ++k) {
+    edge[k] = mixed(corner[2 * k], corner[2 * k + 1], x.fade);
+    edge[k].x += x.slope * (corner[2 * k + 1].value - corner[2 * k].value);
+  }
+  for (int k = 0; k < 2; ++k) {
+    face[k] = mixed(edge[2 * k], edge[2 * k + 1], y.fade);
+    face[k].y += y.slope * (edge[2 * k + 1].value - edge[2 * k].value);
+  }
+  out = mixed(face[0], face[1], z.fade);
+  out.z += z.slope * (face[1].value - face[0].value);
 }
 
 }  // namespace
@@ -78,25 +144,28 @@ NoiseField::NoiseField(const Rng& rng)
   }
 }
 
-Eigen::Array3d NoiseField::potential(const Eigen::Array3d& x) const {
-  return {perlin_[0](x + offset_[0]).value, perlin_[1](x + offset_[1]).value, perlin_[2](x + offset_[2]).value};
-}
+Eigen::Array3d NoiseField::potential(const Eigen::Array3d& x) const { return vector_potential(x).value; }
 
 VectorPotential NoiseField::vector_potential(const Eigen::Array3d& x) const {
+  Query query;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t lane = std::min<std::size_t>(k, 2);
+    query.hash[k] = &perlin_[lane].hash_;
+    for (Index axis = 0; axis < 3; ++axis) query.x[axis][k] = x[axis] + offset_[lane][axis];
+  }
+  Ramps r;
+  three_potentials(query, r);
   VectorPotential p;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto [value, gradient] = perlin_[k](x + offset_[k]);
-    p.value[static_cast<Index>(k)] = value;
-    p.gradient.row(static_cast<Index>(k)) = gradient.transpose();
+  for (Index k = 0; k < 3; ++k) {
+    p.value[k] = r.value[k];
+    p.gradient.row(k) << r.x[k], r.y[k], r.z[k];
   }
   return p;
 }
 
 Eigen::Array3d NoiseField::curl(const Eigen::Array3d& x) const {
-  const Eigen::Array3d p1 = perlin_[0](x + offset_[0]).gradient;
-  const Eigen::Array3d p2 = perlin_[1](x + offset_[1]).gradient;
-  const Eigen::Array3d p3 = perlin_[2](x + offset_[2]).gradient;
-  return {p3[1] - p2[2], p1[2] - p3[0], p2[0] - p1[1]};
+  const Eigen::Array33d g = vector_potential(x).gradient;
+  return {g(2, 1) - g(1, 2), g(0, 2) - g(2, 0), g(1, 0) - g(0, 1)};
 }
 
 Eigen::Array3d NoiseField::curl2(const Eigen::Array3d& x) const {

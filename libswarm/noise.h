@@ -37,6 +37,7 @@ class Perlin {
   Potential operator()(const Eigen::Array3d& x) const;
 
  private:
+  friend class NoiseField;
   std::array<std::uint8_t, 512> hash_;  // the permutation twice, which saves wrapping the index
 };
 

@@ -105,21 +105,28 @@ Presence::Presence(std::vector<Visit> visits) {
   visits_ = std::make_shared<const std::vector<Visit>>(std::move(visits));
 }
 
-void Presence::advance(const Clock& clock, const World&, State& state) {
-  if (clock.sub != 0 || clock.frame <= done_) return;
-  done_ = clock.frame;
+void Presence::see_off(std::int64_t frame, State& state) {
   for (Index row = state.size() - 1; row >= 0; --row) {
     const auto leaves = leave_.find(state.id[static_cast<std::size_t>(row)]);
-    if (leaves != leave_.end() && leaves->second < clock.frame) {
+    if (leaves != leave_.end() && leaves->second < frame) {
       leave_.erase(leaves);
       state.remove(row);
     }
   }
+  first_leave_ = INT64_MAX;
+  for (const auto& [id, leave] : leave_) first_leave_ = std::min(first_leave_, leave);
+}
+
+void Presence::advance(const Clock& clock, const World&, State& state) {
+  if (clock.sub != 0 || clock.frame <= done_) return;
+  done_ = clock.frame;
+  if (first_leave_ < clock.frame) see_off(clock.frame, state);
   for (; entered_ < visits_->size() && (*visits_)[entered_].enter <= clock.frame; ++entered_) {
     const Visit& visit = (*visits_)[entered_];
     if (visit.leave < clock.frame) continue;  // over before the run began
     state.spawn(visit.kind, visit.pos, visit.vel, visit.id);
     leave_[visit.id] = visit.leave;
+    first_leave_ = std::min(first_leave_, visit.leave);
   }
 }
 

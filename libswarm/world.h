@@ -92,9 +92,12 @@ class Presence : public WorldPart {
   void advance(const Clock&, const World&, State&) override;
 
  private:
+  void see_off(std::int64_t frame, State& state);
+
   std::shared_ptr<const std::vector<Visit>> visits_;  // by entry, then id; shared by all copies
   std::size_t entered_ = 0;                           // visits begun so far
   std::map<std::uint32_t, std::int64_t> leave_;       // last frame of those who are here
+  std::int64_t first_leave_ = INT64_MAX;              // the earliest of them, or earlier
   std::int64_t done_ = INT64_MIN;                     // last frame handled
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "libswarm/zones.h"
 
-#include "libswarm/hot.h"
+#include "libtrack/hot.h"
 
 namespace swarmfit {
 namespace {

@@ -29,6 +29,7 @@
 #include <cmath>
 
 #include "libswarm/centre.h"
+#include "libswarm/exponential.h"
 #include "libswarm/noise.h"
 #include "libswarm/parallel.h"
 
@@ -43,6 +44,65 @@ enum Row : std::size_t { kGamma1, kGamma2, kD, kCr, kK, kLr, kCa, kLa, kQ0, kC, 
 constexpr double kLargestChange = 0.2;  // gamma2 |v|² dt
 constexpr double kRanges = 30;          // as far as forces reach
 
+// Small groups are taken pair by pair: places and what the others do to each, with room for a last block that is not full.
+struct Buffers : Workspace {
+  Rows place, force;
+};
+
+struct Strength {
+  double c_r, l_r, c_a, l_a;  // c_a = 0: repulsion only
+  double radius2, period[3];
+};
+
+inline __attribute__((always_inline)) void wrap(Lanes& d, double period) {
+  const double half = 0.5 * period;
+  const Lanes less = d - period, more = d + period;
+  d = d > half ? less : (d < -half ? more : d);
+}
+
+// What those from `first` on do to agent i, and i to them. Returns whether anybody is at the same place, who is left out.
+SWARMFIT_HOT bool pull(Rows& place, Rows& force, Index i, const Strength& s) {
+  const Index n = place.rows() - 4;
+  Lanes sum[3]{};
+  LaneMask same{};
+  // Blocks begin at multiples of four, so that what one agent stores the next can load without waiting.
+  LaneMask later{0, 1, 2, 3};
+  later += (i + 1) / 4 * 4 - i;
+  for (Index j = (i + 1) / 4 * 4; j < n; j += 4, later += 4) {
+    Lanes d[3], d2{}, e, minus;
+#pragma GCC unroll 3
+    for (Index k = 0; k < 3; ++k) {
+      load(&place(j, k), d[k]);
+      d[k] -= place(i, k);
+      wrap(d[k], s.period[k]);
+      d2 += d[k] * d[k];
+    }
+    Lanes distance;
+    for (int l = 0; l < 4; ++l) distance[l] = std::sqrt(d2[l]);
+    minus = distance / -s.l_r;
+    exponential(minus > -700 ? minus : Lanes{} - 700, e);
+    Lanes f = s.c_r / s.l_r * e;
+    if (s.c_a != 0) {
+      minus = distance / -s.l_a;
+      exponential(minus > -700 ? minus : Lanes{} - 700, e);
+      f -= s.c_a / s.l_a * e;
+    }
+    same |= (d2 == 0) & (later > 0);
+    f = (d2 < s.radius2) & (d2 > 0) & (later > 0) ? f / distance : Lanes{};
+#pragma GCC unroll 3
+    for (Index k = 0; k < 3; ++k) {
+      Lanes theirs;
+      load(&force(j, k), theirs);
+      const Lanes push = f * d[k];
+      theirs += push;
+      std::memcpy(&force(j, k), &theirs, sizeof theirs);
+      sum[k] += push;
+    }
+  }
+  for (Index k = 0; k < 3; ++k) force(i, k) -= (sum[k][0] + sum[k][1]) + (sum[k][2] + sum[k][3]);
+  return (same[0] | same[1] | same[2] | same[3]) != 0;
+}
+
 class Brownian : public Model {
  public:
   explicit Brownian(const Setup& setup)
@@ -54,6 +114,7 @@ class Brownian : public Model {
         centre_(setup) {}
 
   Index columns() const override { return 1; }
+  std::unique_ptr<Workspace> workspace(const World&, const Rng&) const override { return std::make_unique<Buffers>(); }
 
   void enter(State& state, Index first, const World&, const StepContext& c) const override {
     if (!depot_) return;
@@ -62,7 +123,10 @@ class Brownian : public Model {
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
     if (!depot_ && c.can_halve && too_fast(now, c)) return Step::halve_dt;
-    if (repulsion_) c.near.build(now.pos, world.bounds, kRanges * std::max(c.p[kLr], attraction_ ? c.p[kLa] : 0.0));
+    if (repulsion_) c.near.build(now.pos, world.bounds, reach(c));
+    Buffers& buffers = *static_cast<Buffers*>(c.work);
+    const bool pairs = repulsion_ && now.size() < Neighbours::kAllPairsBelow;
+    if (pairs) pair_forces(now, c, buffers);
     const Array3d centre = centre_.in(world.bounds);
     const double kick = std::sqrt(2 * c.p[kD] * c.dt);
     for_each_agent(now.size(), [&](Index i, std::size_t) {
@@ -70,7 +134,7 @@ class Brownian : public Model {
       const Array3d before = now.vel.row(i).transpose();
       Array3d force = propulsion(now, next, i, c) * before;
       if (confined_) force += c.p[kK] * world.bounds.separation(now.pos.row(i).transpose(), centre);
-      if (repulsion_) force += interaction(now, i, c);
+      if (repulsion_) force += pairs ? Array3d(buffers.force.row(i).transpose()) : interaction(now, i, c);
       Array3d v = before + force * c.dt + kick * gaussian_noise(c.rng, c.tick, id);
       if (dims_ == 2) v[2] = 0;
       next.vel.row(i) = v.transpose();
@@ -118,6 +182,34 @@ class Brownian : public Model {
     });
     return force;
   }
+
+  // The same for everybody in a small group, each pair once: action and reaction are equal.
+  void pair_forces(const State& now, const StepContext& c, Buffers& buffers) const {
+    constexpr double far = 1e150;  // fills the last block: nobody is out there
+    const Index n = now.size();
+    Rows &place = buffers.place, &force = buffers.force;
+    place.setConstant(n + 4, 3, far);
+    force.setZero(n + 4, 3);
+    for (std::size_t k = 0; k < 3; ++k) std::copy_n(c.near.coordinate(k), n, place.col(static_cast<Index>(k)).data());
+    const double range = reach(c);
+    const Strength strengths{c.p[kCr], c.p[kLr],      attraction_ ? c.p[kCa] : 0.0,
+                             c.p[kLa], range * range, {c.near.period(0), c.near.period(1), c.near.period(2)}};
+    for (Index i = 0; i < n; ++i)
+      if (pull(place, force, i, strengths)) part(now, i, c, force);
+  }
+
+  // Those at the same place as i, after it.
+  void part(const State& now, Index i, const StepContext& c, Rows& force) const {
+    c.near.visit_later(i, [&](Index j, const Array3d&, double distance) {
+      if (distance > 0) return;
+      const std::uint32_t one = now.id[static_cast<std::size_t>(i)], other = now.id[static_cast<std::size_t>(j)];
+      const Array3d apart = strength(0, c) * parting_direction(c.rng, c.tick, one, other, dims_);
+      force.row(i) += apart.transpose();
+      force.row(j) -= apart.transpose();
+    });
+  }
+
+  double reach(const StepContext& c) const { return kRanges * std::max(c.p[kLr], attraction_ ? c.p[kLa] : 0.0); }
 
   int dims_;
   bool depot_, confined_, repulsion_, attraction_;

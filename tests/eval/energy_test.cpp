@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -119,6 +120,38 @@ TEST(Moments, DoNotCancelFarFromZero) {
   for (const double v : {4.0, 7.0, 13.0, 16.0}) m.add(1e9 + v);
   EXPECT_DOUBLE_EQ(m.mean, 1e9 + 10);
   EXPECT_DOUBLE_EQ(m.sd(), std::sqrt(22.5));
+}
+
+// Four samples at a time, in blocks, against one after the other; among them edges, ends, and values far outside.
+TEST(Histogram, InBlocksEqualsOneByOne) {
+  for (const Normalisation normalisation : {Normalisation::reference, Normalisation::separate, Normalisation::none})
+    for (const int n : {3, 255, 256, 257, 1500}) {
+      const Binning binning = Binning::standard(normalisation);
+      std::vector<double> values = normals(11, n, 3, 2);
+      if (n > 1000) values[10] = 500, values[700] = -800, values[701] = 3;
+      const Target target(all(normals(12, 4000, 3, 2)), binning);
+      const Distribution d = target.distributions(all(values))[0];
+      Moments one_by_one;
+      for (const double x : values) one_by_one.add(x);
+      EXPECT_EQ(d.moments.count, one_by_one.count);
+      EXPECT_NEAR(d.moments.mean, one_by_one.mean, 1e-12);
+      EXPECT_NEAR(d.moments.m2, one_by_one.m2, 1e-12 * one_by_one.m2);
+      Histogram expected{std::vector<std::uint64_t>(static_cast<std::size_t>(binning.bins), 0), 0, 0};
+      const bool own = normalisation == Normalisation::separate;
+      const Target::Axis axis = own ? Target::Axis{d.moments.mean + d.moments.sd() * binning.lower,
+                                                   d.moments.sd() * (binning.upper - binning.lower) / binning.bins}
+                                    : target.axis(0);
+      for (const double x : values) {
+        const double place = (x - axis.lower) / axis.width;  // no sample is near enough to an edge for the rounding to matter
+        const bool inside = place >= 0 && place <= binning.bins;
+        ++expected.samples;
+        expected.outside += !inside;
+        if (inside || binning.clip) ++expected.counts[static_cast<std::size_t>(std::clamp(place, 0.0, binning.bins - 1.0))];
+      }
+      EXPECT_EQ(d.histogram.counts, expected.counts) << n;
+      EXPECT_EQ(d.histogram.samples, expected.samples);
+      EXPECT_EQ(d.histogram.outside, expected.outside);
+    }
 }
 
 TEST(Quantile, InterpolatesBetweenOrderStatistics) {

@@ -237,5 +237,30 @@ TEST(Crowd, AntipodalSphere) {
   EXPECT_LT(farthest, 0.1);
 }
 
+// Four at a time: the same bits as one by one, apart, touching, approaching and parting, in space and in the plane.
+TEST(ReciprocalHalfSpaces, EqualOneByOneToTheBit) {
+  for (std::uint32_t n = 0; n < 400; ++n) {
+    FourNeighbours four[2];
+    std::vector<Vector3d> offset, relative;
+    const auto number = [n](std::uint32_t k, std::uint32_t draw) { return 2 * Rng{31}.uniform(Stream::probe, n, k, draw) - 1; };
+    for (std::uint32_t k = 0; k < 7; ++k) {
+      offset.emplace_back(number(k, 0), number(k, 1), n % 2 ? number(k, 2) : 0);
+      relative.emplace_back(number(k, 3), number(k, 4), n % 2 ? number(k, 5) : 0);
+      for (Index axis = 0; axis < 3; ++axis) {
+        four[k / 4].offset[axis][k % 4] = offset[k][axis];
+        four[k / 4].relative[axis][k % 4] = relative[k][axis];
+      }
+    }
+    const Vector3d own(number(8, 0), number(8, 1), n % 2 ? number(8, 2) : 0);
+    HalfSpace together[7];
+    reciprocal_half_spaces(four, 7, own, 0.6, 1.5, 0.1, together);
+    for (std::size_t k = 0; k < 7; ++k) {
+      const HalfSpace alone = reciprocal_half_space(offset[k], own, relative[k], 0.6, 1.5, 0.1, Vector3d::UnitX());
+      ASSERT_EQ(together[k].normal, alone.normal);
+      ASSERT_EQ(together[k].bound, alone.bound);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace swarmfit

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "libswarm/exponential.h"
 #include "tests/swarm/lane.h"
 
 namespace swarmfit {
@@ -172,6 +173,35 @@ TEST(BrownianForce, RepulsionAndMorse) {
   expect("repulsion", repulsion);
   expect("morse", repulsion - attraction);
   expect("none", 0);
+}
+
+TEST(BrownianForce, ExponentialOfFour) {
+  for (double x = -700; x < 700; x += 0.37) {
+    Lanes e;
+    exponential(Lanes{x, -x, x / 700, x / 1e9}, e);
+    const double expected[] = {std::exp(x), std::exp(-x), std::exp(x / 700), std::exp(x / 1e9)};
+    for (int l = 0; l < 4; ++l) ASSERT_NEAR(e[l] / expected[l], 1, 1e-15) << x;
+  }
+}
+
+// Small groups are taken pair by pair; the sum over all others, agent by agent.
+TEST(BrownianForce, OfAGroupIsTheSumOverTheOthers) {
+  constexpr Index n = 150;  // more than one block of neighbours
+  std::vector<std::pair<Array3d, Array3d>> agents;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const auto xy = Rng{5}.uniform2(Stream::probe, 0, i, 0);
+    agents.emplace_back(2 * Array3d(xy[0], xy[1], Rng{5}.uniform(Stream::probe, 0, i, 1)), Array3d::Zero());
+  }
+  const Rows a = acceleration("brownian[confinement=none]", agents, {{"C_r", 2}, {"l_r", 0.5}});
+  for (Index i = 0; i < n; ++i) {
+    Array3d sum = Array3d::Zero();
+    for (Index j = 0; j < n; ++j) {
+      const Array3d from = agents[static_cast<std::size_t>(i)].first - agents[static_cast<std::size_t>(j)].first;
+      const double d = std::sqrt(from.square().sum());
+      if (j != i) sum += 2 / 0.5 * std::exp(-d / 0.5) / d * from;
+    }
+    ASSERT_LT((a.row(i).transpose() - sum).abs().maxCoeff(), 1e-8) << "agent " << i;
+  }
 }
 
 TEST(BrownianForce, SamePlaceParts) {

@@ -178,5 +178,22 @@ TEST(RandomDirection, IsUniform) {
   EXPECT_LT((second / n - 1. / 3).abs().maxCoeff(), 5 * std::sqrt(4. / 45 / n));
 }
 
+// The three potentials are computed side by side: the same bits as one after the other.
+TEST(NoiseField, EqualsThreePotentialsToTheBit) {
+  const Rng rng{21};
+  const NoiseField field(rng);
+  for (std::uint32_t n = 0; n < 2000; ++n) {
+    const Array3d x = point(Rng{22}, n, n % 2 ? 3.0 : 3000.0);
+    const VectorPotential together = field.vector_potential(x);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const auto xy = rng.uniform2(Stream::noise_table, 1, k, 0);
+      const Array3d offset = 256 * Array3d(xy[0], xy[1], rng.uniform(Stream::noise_table, 1, k, 1));
+      const Potential alone = Perlin(Perlin::shuffled(rng, k))(x + offset);
+      ASSERT_EQ(together.value[k], alone.value);
+      ASSERT_TRUE((together.gradient.row(k).transpose() == alone.gradient).all());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace swarmfit

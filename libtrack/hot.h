@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <cstring>
+
 // Marks the few inner loops that are compiled twice, for any x86-64 and for AVX2; the loader picks. They work on blocks of a fixed number
 // of lanes and add lane by lane, so both versions, and every build type, give the same bits.
 // Not under sanitizers, whose runtime is not ready yet when the loader asks.
@@ -10,3 +13,14 @@
 #else
 #define SWARMFIT_HOT
 #endif
+
+namespace swarmfit {
+
+// Four numbers that go through one instruction together, and what comparing them gives: -1 where it holds, else 0. Handed about by
+// reference only: how they are returned differs between the two versions.
+using Lanes = double __attribute__((vector_size(32)));
+using LaneMask = std::int64_t __attribute__((vector_size(32)));
+
+inline void load(const double* x, Lanes& lanes) { std::memcpy(&lanes, x, sizeof lanes); }
+
+}  // namespace swarmfit
