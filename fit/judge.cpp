@@ -67,7 +67,7 @@ Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uin
   const auto measured = [&](std::size_t j) { return std::isfinite(facts_.floor[j]) && std::isfinite(facts_.null[j]); };
   facts_.used = used_;
   // An eighth of the recording can be too short for a lag that the whole carries.
-  for (std::size_t j = kMetrics; j < columns; ++j) facts_.used[j] = used_[j] && measured(j);
+  for (std::size_t j = 0; j < columns; ++j) facts_.used[j] = used_[j] && (distance_.columns()[j].lag == 1 || measured(j));
   if (!any_informative(used_))
     for (std::size_t j = 0; j < columns; ++j) facts_.used[j] = measured(j);
   if (any_informative(facts_.used)) scale_ = skill_scale(facts_.floor, facts_.null, facts_.used);

@@ -125,6 +125,18 @@ TEST(CompareAtLags, SaysWhenEvenTheLongestLagIsDrowned) {
   EXPECT_THAT(compare(swarm(30), options).warnings, Contains(HasSubstr("too short for a longer one")));
 }
 
+// An eighth of 150 frames has 18: a jerk at lag 8 needs 25, an acceleration 17.
+TEST(CompareAtLags, TheSkillDoesWithoutLagsThatAreTooLongForIt) {
+  for (const auto& lags : {std::vector<int>{1, 8}, std::vector<int>{8}}) {
+    auto options = tiny(lags);
+    options.models.resize(1);
+    const Comparison c = compare(swarm(), options);
+    EXPECT_TRUE(std::isfinite(c.models[0].skill.value));
+    EXPECT_THAT(c.warnings, Contains(HasSubstr("The skill leaves out alpha@8, mu@8")));
+    EXPECT_GT(c.weights.back(), 0) << "the score does not";
+  }
+}
+
 TEST(CompareAtLags, RefusesLagsThatTheTracksDoNotCarry) {
   EXPECT_THROW(compare(swarm(), tiny({50})), InputError);
   auto options = tiny({1, 4});
