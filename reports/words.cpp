@@ -116,8 +116,7 @@ std::string lags_measured(const Comparison& c) {
   }
   if (frames.empty()) return {};
   std::string out = fmt::format("Motion is measured at {}.", enumerate(frames));
-  if (c.observation.error_source != "none" && !shares.empty())
-    out += fmt::format(" Localisation error makes up at most {}.", enumerate(shares));
+  if ((c.observation.sigma > 0).any() && !shares.empty()) out += fmt::format(" Localisation error makes up at most {}.", enumerate(shares));
   return out;
 }
 

@@ -47,6 +47,9 @@ TEST(LagWords, SayWhichLagCarriedTheDecision) {
             "Motion is measured at lag 1 (0.01 s), lag 4 (0.04 s) and lag 16 (0.16 s). Localisation error makes up at most 78 % of a "
             "metric's variance at lag 1, 10 % at lag 4 and 2 % at lag 16.");
   EXPECT_THAT(lags_measured(sample_comparison()), HasSubstr("Motion is measured at lag 1 (0.01 s)."));
+  Comparison unknown = sample_at_lags();
+  unknown.observation.sigma.setZero();
+  EXPECT_THAT(lags_measured(unknown), Not(HasSubstr("Localisation error")));
   Comparison unweighted = sample_at_lags();
   for (LagFacts& l : unweighted.lags) l.weight = NAN;
   EXPECT_THAT(lag_weights(unweighted), IsEmpty());
