@@ -8,19 +8,34 @@
 #include "cli/settings.h"
 #include "cli/style.h"
 #include "libeval/evaluation.h"
+#include "libeval/lags.h"
+#include "libeval/localisation.h"
 #include "libtrack/file.h"
 #include "reports/json.h"
 #include "reports/terminal.h"
 
 namespace swarmfit::cli {
+namespace {
+
+constexpr double kErrorLimit = 0.5;  // as the default protocol has it
+
+// What a fit to this recording would choose.
+std::vector<int> chosen_lags(const Tracks& real, const EvaluateArguments& a) {
+  const Localisation error = estimate_localisation(real);
+  return error.white && a.velocity != "recorded" ? choose_lags(real, error.sigma, kErrorLimit, a.common.seed) : std::vector<int>{1};
+}
+
+}  // namespace
 
 int evaluate(const EvaluateArguments& a) {
   use_threads(a.common);
   DataArguments simulated = a.real;
   simulated.path = a.simulated;
   if (!a.simulated_columns.empty()) simulated.columns = a.simulated_columns;
-  const MetricOptions options{a.velocity == "recorded" ? VelocitySource::recorded : VelocitySource::difference};
-  const Evaluation result = swarmfit::evaluate(load(a.real), load(simulated), binning(a.normalisation, a.bins), options);
+  const Tracks real = load(a.real);
+  MetricOptions options{a.velocity == "recorded" ? VelocitySource::recorded : VelocitySource::difference, parse_lags(a.lags)};
+  if (options.lags.empty()) options.lags = chosen_lags(real, a);
+  const Evaluation result = swarmfit::evaluate(real, load(simulated), binning(a.normalisation, a.bins), options);
   std::fputs((a.common.json ? to_json(result) : evaluation_text(result, style())).c_str(), stdout);
   return 0;
 }

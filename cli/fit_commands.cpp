@@ -18,6 +18,7 @@
 #include "cli/version.h"
 #include "fit/across.h"
 #include "fit/common_dynamics.h"
+#include "libeval/lags.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
 #include "reports/across_report.h"
@@ -58,6 +59,7 @@ Comparison run_one(const FitArguments& a, const CompareOptions& options, const T
   result.version = kVersion;
   FitArguments alone = a;
   alone.recordings = {path};
+  alone.lags = lags_text(lags_of(result.columns));  // as chosen
   result.config = resolved(alone, options.models);
   write_run(dir, result);
   write_timing(dir, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), result);

@@ -49,7 +49,7 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("-o,--out", a.out, "run directory; swarmfit-<name of the data> if not given");
   app.add_option("--protocol", a.protocol,
                  "default, or ren2016, the paper's literal choices: z-scores of each set by itself, no localisation error, all seven "
-                 "metrics, up to ten passes; flags given beside it win")
+                 "metrics, lag 1, up to ten passes; flags given beside it win")
       ->check(CLI::IsMember({"default", "ren2016"}))
       ->capture_default_str();
   app.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
@@ -70,6 +70,9 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("--error-limit", a.error_limit,
                  "leave a metric out of the score if more than this share of its variance is localisation error (default 0.5)")
       ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--lags", a.lags,
+                 "measure motion over this many frames, each lag as metrics of its own: 1,4,16; or auto (default), which adds to 1 the "
+                 "shortest lag at which no metric of motion is past the error limit");
   app.add_option("--smooth", a.smoothing, "smooth recording and simulations alike, Gaussian, standard deviation in frames")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--velocity", a.velocity, "difference of positions, or the recorded velocity column")
@@ -171,6 +174,7 @@ struct Program {
     sub.add_option("--velocity", a.velocity, "difference or recorded")
         ->check(CLI::IsMember({"difference", "recorded"}))
         ->capture_default_str();
+    sub.add_option("--lags", a.lags, "measure motion over this many frames, as in compare: 1,4,16 or auto")->capture_default_str();
     sub.add_option("--bins", a.bins, "histogram bins, instead of the normalisation's default")->check(CLI::NonNegativeNumber);
   }
 
@@ -217,6 +221,7 @@ struct Program {
     sub.add_option("--speed", a.speed, "their mean speed [unit/s]")->check(CLI::PositiveNumber)->capture_default_str();
     sub.add_option("--unit", a.unit, "name of the length unit")->capture_default_str();
     sub.add_option("--obs-noise", a.observation_error, "as in compare");
+    sub.add_option("--lags", a.lags, "as in compare; auto chooses for every recording");
     sub.add_option("--protocol", a.protocol, "as in compare")->check(CLI::IsMember({"default", "ren2016"}))->capture_default_str();
     sub.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
     sub.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);

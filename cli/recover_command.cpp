@@ -26,6 +26,7 @@ RecoveryOptions recovery_options(const RecoverArguments& a) {
   fit.protocol = a.protocol;
   fit.max_evaluations = a.max_evaluations;
   fit.observation_error = a.observation_error;
+  fit.lags = a.lags;
   RecoveryOptions o;
   o.compare = compare_options(with_protocol(fit));
   o.planted = a.planted.empty() ? o.compare.models : parse_models(a.planted);
@@ -70,6 +71,7 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
              {"budget", quoted(a.budget)}};
   if (a.max_evaluations > 0) s.emplace_back("max-evaluations", std::to_string(a.max_evaluations));
   if (!a.observation_error.empty()) s.emplace_back("obs-noise", quoted(a.observation_error));
+  if (!a.lags.empty()) s.emplace_back("lags", quoted(a.lags));
   std::vector<std::string> set;
   for (const auto& text : a.set) set.push_back(quoted(text));
   if (!set.empty()) s.emplace_back("set", fmt::format("[{}]", fmt::join(set, ", ")));

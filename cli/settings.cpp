@@ -13,6 +13,7 @@
 #include <iterator>
 
 #include "fit/plant.h"
+#include "libeval/lags.h"
 #include "libtrack/error.h"
 #include "libtrack/read.h"
 #include "libtrack/write.h"
@@ -162,6 +163,7 @@ FitArguments with_protocol(FitArguments a) {
   const bool literal = a.protocol == "ren2016";
   if (a.normalisation.empty()) a.normalisation = literal ? "separate" : "reference";
   if (a.observation_error.empty()) a.observation_error = literal ? "0" : "estimate";
+  if (a.lags.empty()) a.lags = literal ? "1" : "auto";
   if (a.error_limit < 0) a.error_limit = literal ? 1 : 0.5;
   return a;
 }
@@ -187,6 +189,7 @@ CompareOptions compare_options(const FitArguments& a) {
   o.protocol = a.protocol;
   o.seed = a.common.seed;
   o.max_evaluations = a.max_evaluations;
+  o.lags = parse_lags(a.lags);
   o.error_limit = a.error_limit;
   return o;
 }
@@ -227,6 +230,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   if (a.common_dynamics) out.emplace_back("common", "true");
   text("obs-noise", a.observation_error);
   out.emplace_back("error-limit", fmt::format("{}", a.error_limit));
+  text("lags", a.lags);
   positive("smooth", a.smoothing);
   text("velocity", a.velocity);
   text("normalisation", a.normalisation);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace swarmfit {
 namespace {
@@ -35,23 +36,48 @@ ModelAcross model_across(std::span<const Comparison> comparisons, const std::str
   return m;
 }
 
+// Lags may be chosen by the recording, so not all have the same columns.
+std::vector<Column> all_columns(std::span<const Comparison> comparisons) {
+  std::set<int> lags;
+  for (const Comparison& c : comparisons)
+    for (const int lag : lags_of(c.columns)) lags.insert(lag);
+  return columns_at({lags.begin(), lags.end()});
+}
+
+PerColumn<double> weights_of(const Comparison& c, const std::vector<Column>& columns) {
+  PerColumn<double> out(columns.size(), NAN);
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const auto at = std::find(c.columns.begin(), c.columns.end(), columns[j]);
+    if (at != c.columns.end()) out[j] = c.weights[static_cast<std::size_t>(at - c.columns.begin())];
+  }
+  return out;
+}
+
+void summarise_weights(Across& a) {
+  a.mean_weight = a.smallest_weight = a.largest_weight = PerColumn<double>(a.columns.size(), NAN);
+  for (std::size_t j = 0; j < a.columns.size(); ++j) {
+    std::vector<double> w;
+    for (const auto& weights : a.weights)
+      if (std::isfinite(weights[j])) w.push_back(weights[j]);
+    if (w.empty()) continue;
+    a.mean_weight[j] = mean_of_defined(
+        w, +[](double x) { return std::isfinite(x); });
+    a.smallest_weight[j] = *std::min_element(w.begin(), w.end());
+    a.largest_weight[j] = *std::max_element(w.begin(), w.end());
+  }
+}
+
 }  // namespace
 
 Across across(std::span<const Comparison> comparisons) {
   Across out;
   if (comparisons.empty()) return out;
+  out.columns = all_columns(comparisons);
   for (const Comparison& c : comparisons) {
     out.recordings.push_back(c.data.path);
-    out.weights.push_back(c.weights);
+    out.weights.push_back(weights_of(c, out.columns));
   }
-  for (std::size_t j = 0; j < kMetrics; ++j) {
-    std::vector<double> w;
-    for (const auto& weights : out.weights) w.push_back(weights[j]);
-    out.mean_weight[j] = mean_of_defined(
-        w, +[](double x) { return std::isfinite(x); });
-    out.smallest_weight[j] = *std::min_element(w.begin(), w.end());
-    out.largest_weight[j] = *std::max_element(w.begin(), w.end());
-  }
+  summarise_weights(out);
   for (const std::string& name : comparisons.front().named) out.models.push_back(model_across(comparisons, name));
   std::stable_sort(out.models.begin(), out.models.end(), [](const ModelAcross& a, const ModelAcross& b) {
     const auto last = [](double x) { return std::isfinite(x) ? x : INFINITY; };

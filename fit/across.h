@@ -20,8 +20,9 @@ struct ModelAcross {
 
 struct Across {
   std::vector<std::string> recordings;                                   // paths as given
-  std::vector<PerMetric<double>> weights;                                // of each recording
-  PerMetric<double> mean_weight{}, smallest_weight{}, largest_weight{};  // over the recordings
+  std::vector<Column> columns = columns_at({1});                         // of any recording
+  std::vector<PerColumn<double>> weights;                                // of each recording; NaN: it has no such column
+  PerColumn<double> mean_weight{}, smallest_weight{}, largest_weight{};  // over the recordings
   std::vector<ModelAcross> models;                                       // by mean rank, then by mean score
 };
 

@@ -24,15 +24,15 @@ const std::array<Budget, 3> kBudgets{{
 }};
 
 Eigen::MatrixXd energy_table(const std::vector<ModelSearch>& searches) {
-  Eigen::MatrixXd table(static_cast<Index>(searches.size()), static_cast<Index>(kMetrics));
+  const auto columns = static_cast<Index>(searches.front().selected().outcome.raw.size());
+  Eigen::MatrixXd table(static_cast<Index>(searches.size()), columns);
   for (std::size_t m = 0; m < searches.size(); ++m)
-    table.row(static_cast<Index>(m)) =
-        Eigen::Map<const Eigen::RowVectorXd>(searches[m].selected().outcome.raw.data(), static_cast<Index>(kMetrics));
+    table.row(static_cast<Index>(m)) = Eigen::Map<const Eigen::RowVectorXd>(searches[m].selected().outcome.raw.data(), columns);
   return table;
 }
 
-PerMetric<double> per_metric(const std::vector<double>& values) {
-  PerMetric<double> out;
+PerColumn<double> per_column(const std::vector<double>& values) {
+  PerColumn<double> out(values.size());
   std::copy(values.begin(), values.end(), out.begin());
   return out;
 }
@@ -40,8 +40,8 @@ PerMetric<double> per_metric(const std::vector<double>& values) {
 // Step 3 and 4 of Par-Est: weights and p1, p2 from the energy table; how far did the weights move?
 WeightStep weight_step(int pass, const Weighting& now, const Weighting& before) {
   double change = 0;
-  for (std::size_t j = 0; j < kMetrics; ++j) change = std::max(change, std::abs(now.weights[j] - before.weights[j]));
-  return {pass, per_metric(now.weights), per_metric(now.p1), per_metric(now.p2), change};
+  for (std::size_t j = 0; j < now.weights.size(); ++j) change = std::max(change, std::abs(now.weights[j] - before.weights[j]));
+  return {pass, per_column(now.weights), per_column(now.p1), per_column(now.p2), change};
 }
 
 double standard_error(const std::vector<double>& values) {
@@ -105,7 +105,9 @@ void fill_energies(FitResult& fit, const ModelSearch& search, const Weighting& w
   std::vector<double> scores;
   for (const auto& replicate : outcome.replicates) scores.push_back(-cost_of(replicate, weighting));
   fit.score_se = standard_error(scores);
-  for (std::size_t j = 0; j < kMetrics; ++j) {
+  const std::size_t columns = outcome.raw.size();
+  fit.energies = fit.raw_se = Energies(columns);
+  for (std::size_t j = 0; j < columns; ++j) {
     fit.energies[j] = weighting.p2[j] > 0 ? (outcome.raw[j] - weighting.p1[j]) / weighting.p2[j] : 0;
     std::vector<double> column;
     for (const auto& replicate : outcome.replicates) column.push_back(replicate[j]);
@@ -115,7 +117,9 @@ void fill_energies(FitResult& fit, const ModelSearch& search, const Weighting& w
 }
 
 void fill_ratios(FitResult& fit, const Target& target) {
-  for (std::size_t j = 0; j < kMetrics; ++j) {
+  const std::size_t columns = target.columns().size();
+  fit.mean_ratio = fit.sd_ratio = fit.outside_fraction = PerColumn<double>(columns);
+  for (std::size_t j = 0; j < columns; ++j) {
     const auto& real = target.recording()[j];
     const auto& sim = fit.distributions[j];
     fit.mean_ratio[j] = sim.moments.mean / real.moments.mean;
@@ -175,8 +179,9 @@ Budget budget_named(const std::string& name) {
 
 Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress) {
   check_requests(options.requests, options.models);
-  const Conditions conditions = make_conditions(recording, options.conditions);
-  const Target target(metric_samples(conditions.recording, {options.conditions.velocity}), options.binning);
+  Conditions conditions = make_conditions(recording, options.conditions);
+  conditions.metrics.lags = lags_for(conditions, options);
+  const Target target(metric_samples(conditions.recording, conditions.metrics), options.binning);
 
   Comparison result;
   result.observation = observation_facts(conditions, target, options);
@@ -195,9 +200,9 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   }
   rank(result.models);
   judge.tell(result);
-  result.weights = per_metric(calibration.weighting().weights);
-  result.p1 = per_metric(calibration.weighting().p1);
-  result.p2 = per_metric(calibration.weighting().p2);
+  result.weights = per_column(calibration.weighting().weights);
+  result.p1 = per_column(calibration.weighting().p1);
+  result.p2 = per_column(calibration.weighting().p2);
   fill_sensitivity(result);
   fill_facts(result, recording, conditions, target, options);
   result.warnings = warnings_for(result);

@@ -185,6 +185,7 @@ Bounds parse_arena(const std::string& text, const Tracks& recording) {
 Conditions make_conditions(const Tracks& recording, const ConditionOptions& options) {
   Conditions c;
   c.options = options;
+  c.metrics.velocity = options.velocity;
   c.localisation = estimate_localisation(recording);
   c.recording = options.smoothing > 0 ? smooth(recording, options.smoothing) : recording;
   c.scales = natural_scales(recording);

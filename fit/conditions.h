@@ -33,6 +33,7 @@ struct Conditions {
   World world;                                    // arena and presence
   Localisation localisation;                      // as estimated, whatever is used
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error put on simulated positions, per axis [unit]
+  MetricOptions metrics;                          // how both sides are measured
   std::int64_t first_frame = 0, frames = 0;
   int unseen = 0;  // simulated individuals that the camera does not see
 };

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libeval/lags.h"
+
 namespace swarmfit {
 namespace {
 
@@ -35,11 +37,26 @@ void warn_of_data(const Comparison& r, std::vector<std::string>& out) {
         "the motion is rough), so simulations carry none; where it is known, give it with --obs-noise.");
 }
 
+// Is the longest lag still too short?
+void warn_of_lags(const Comparison& r, std::vector<std::string>& out) {
+  const int lag = lags_of(r.columns).back();
+  std::vector<std::string> drowned;
+  for (std::size_t j = 0; j < r.columns.size(); ++j)
+    if (r.columns[j].motion() && r.columns[j].lag == lag && r.defined[j] && !r.observation.why_not[j].empty())
+      drowned.push_back(r.columns[j].key());
+  if (drowned.empty()) return;
+  const bool longer = lag < r.observation.longest_lag;
+  warn(out, "{} {} mostly localisation error even at the longest lag ({}); {}.", fmt::join(drowned, ", "),
+       drowned.size() > 1 ? "are" : "is", lag,
+       longer ? fmt::format("a longer one, up to {}, may show motion: --lags", r.observation.longest_lag)
+              : "the tracks are too short for a longer one");
+}
+
 // Energies of one run move together, so the total's scatter is taken over replicates and not summed over metrics.
 void warn_of_step(const FitResult& m, const Comparison& r, std::vector<std::string>& out) {
   const auto total = [&](const Energies& raw) {
     double sum = 0;
-    for (std::size_t j = 0; j < kMetrics; ++j) sum += r.weights[j] > 0 ? raw[j] : 0;
+    for (std::size_t j = 0; j < r.weights.size(); ++j) sum += r.weights[j] > 0 ? raw[j] : 0;
     return sum;
   };
   Moments single;
@@ -58,7 +75,7 @@ void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::strin
     warn(out, "{}: {} ended on a bound, so its rank is conditional on the bounds; widen with --bounds.", m.model, fmt::join(bounds, ", "));
   for (const std::size_t j : {kSpeed, kDistance})
     if (const double ratio = m.mean_ratio[j]; std::isfinite(ratio) && (ratio > kScaleOff || ratio < 1 / kScaleOff))
-      warn(out, "{}: wrong in scale, its mean {} is {:.2g} times the recorded one, whatever its score.", m.model, kMetricInfo[j].name,
+      warn(out, "{}: wrong in scale, its mean {} is {:.2g} times the recorded one, whatever its score.", m.model, r.columns[j].name(),
            ratio);
   if (m.failed_final > 0)
     warn(out, "{}: {:.0f} % of the final simulations blew up and count with the worst energy.", m.model, 100 * m.failed_final);
@@ -79,8 +96,12 @@ ObservationFacts observation_facts(const Conditions& c, const Target& target, co
   facts.white = c.localisation.white;
   facts.smoothing = c.options.smoothing;
   facts.velocity = c.options.velocity == VelocitySource::difference ? "difference" : "recorded";
-  facts.error_share = error_share(c.recording, c.sigma, options.seed);
-  for (std::size_t j = 0; j < kMetrics; ++j) {
+  facts.error_share = error_share(c.recording, c.sigma, options.seed, c.metrics.lags);
+  facts.longest_lag = longest_lag(c.recording);
+  const std::size_t columns = target.columns().size();
+  facts.used = PerColumn<bool>(columns);
+  facts.why_not = PerColumn<std::string>(columns);
+  for (std::size_t j = 0; j < columns; ++j) {
     const double share = facts.error_share[j];
     if (!target.defined(j))
       facts.why_not[j] = "it is constant or undefined in the recording";
@@ -90,7 +111,7 @@ ObservationFacts observation_facts(const Conditions& c, const Target& target, co
   }
   // With every metric drowned in error there is nothing left to leave out: score what is defined, and the warnings say why it is weak.
   if (std::none_of(facts.used.begin(), facts.used.end(), [](bool u) { return u; }))
-    for (std::size_t j = 0; j < kMetrics; ++j) facts.used[j] = target.defined(j);
+    for (std::size_t j = 0; j < columns; ++j) facts.used[j] = target.defined(j);
   return facts;
 }
 
@@ -122,11 +143,38 @@ void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, con
   d.notes = meta.from.notes;
   r.binning = target.binning();
   r.recording = target.recording();
-  for (std::size_t j = 0; j < kMetrics; ++j) {
+  const std::size_t columns = target.columns().size();
+  r.columns = target.columns();
+  r.lags = lag_facts(r);
+  r.defined = PerColumn<bool>(columns);
+  r.axis_lower = r.axis_width = PerColumn<double>(columns);
+  for (std::size_t j = 0; j < columns; ++j) {
     r.defined[j] = target.defined(j);
     r.axis_lower[j] = target.axis(j).lower;
     r.axis_width[j] = target.axis(j).width;
   }
+}
+
+std::vector<int> lags_for(const Conditions& c, const CompareOptions& options) {
+  require_lags(c.recording, options.lags);
+  if (!options.lags.empty()) return options.lags;
+  if (c.options.velocity == VelocitySource::recorded) return {1};
+  return choose_lags(c.recording, c.sigma, options.error_limit, options.seed);
+}
+
+std::vector<LagFacts> lag_facts(const Comparison& r) {
+  std::vector<LagFacts> out;
+  for (const int lag : lags_of(r.columns)) out.push_back({lag, 0, 0, NAN});
+  out.push_back({0, 0, 0, NAN});
+  for (std::size_t j = 0; j < r.columns.size(); ++j) {
+    const int lag = r.columns[j].motion() ? r.columns[j].lag : 0;
+    LagFacts& of = *std::find_if(out.begin(), out.end(), [lag](const LagFacts& f) { return f.lag == lag; });
+    of.error_share = std::fmax(of.error_share, r.observation.error_share[j]);
+    if (!r.observation.used[j]) continue;
+    ++of.scored;
+    of.weight += r.weights[j];
+  }
+  return out;
 }
 
 std::vector<std::string> warnings_for(const Comparison& r) {
@@ -136,6 +184,7 @@ std::vector<std::string> warnings_for(const Comparison& r) {
          fmt::join(r.common, ", "), r.named.front());
   if (r.data.synthetic) warn(out, "This recording is synthetic: it was made by a simulator.");
   warn_of_data(r, out);
+  warn_of_lags(r, out);
   if (r.models.size() == 2)
     warn(out,
          "With two models the entropy weights only count which model is nearer in each metric; read the raw energies beside the score.");

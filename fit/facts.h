@@ -8,9 +8,16 @@ namespace swarmfit {
 
 ObservationFacts observation_facts(const Conditions& conditions, const Target& target, const CompareOptions& options);
 
+// Lags at which both sides are measured: those asked for, or chosen so that the signal exceeds the localisation error. Throws InputError
+// where the tracks are too short for them.
+std::vector<int> lags_for(const Conditions& conditions, const CompareOptions& options);
+
 // Data, settings and axes of the result.
 void fill_facts(Comparison& result, const Tracks& recording, const Conditions& conditions, const Target& target,
                 const CompareOptions& options);
+
+// What each lag contributes to a result that has its weights.
+std::vector<LagFacts> lag_facts(const Comparison& result);
 
 // One sentence each, in order of weight, from a finished result.
 std::vector<std::string> warnings_for(const Comparison& result);

@@ -18,7 +18,6 @@ constexpr std::size_t kTimeshifts = 99;  // so that p can reach 0.01
 constexpr std::size_t kWalkers = 10;
 constexpr double kSignificant = 0.05;
 constexpr double kStandardErrors = 2;
-constexpr PerMetric<bool> kNeighbourMetrics = {false, false, false, false, false, true, true};
 
 Estimate estimate(const std::vector<double>& values) {
   Moments m;
@@ -46,30 +45,31 @@ std::vector<Estimate> over_replicates(const std::vector<Panel>& panels, std::vec
 
 // One replicate as the judge sees it.
 struct Run {
-  PerMetric<double> distance{}, wasserstein{};
+  PerColumn<double> distance, wasserstein;
   Panel panel;  // empty if it blew up
 };
 
 }  // namespace
 
-Judge::Judge(const Conditions& conditions, const PerMetric<bool>& used, std::uint64_t seed)
-    : conditions_(conditions),
-      used_(used),
-      distance_(conditions.recording, {conditions.options.velocity}),
-      plan_(panel_plan(conditions.recording)) {
+Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed)
+    : conditions_(conditions), used_(used), distance_(conditions.recording, conditions.metrics), plan_(panel_plan(conditions.recording)) {
   measure_nulls({seed});
   facts_.floor = distance_.floor();
   facts_.floor_sd = distance_.floor_sd();
-  for (std::size_t j = 0; j < kMetrics; ++j)
-    facts_.informative[j] = facts_.null[j] > facts_.floor[j] + kStandardErrors * facts_.floor_sd[j];
-  const auto any_informative = [&](const PerMetric<bool>& metrics) {
-    for (std::size_t j = 0; j < kMetrics; ++j)
+  const std::size_t columns = facts_.floor.size();
+  facts_.informative = PerColumn<bool>(columns);
+  for (std::size_t j = 0; j < columns; ++j) facts_.informative[j] = facts_.null[j] > facts_.floor[j] + kStandardErrors * facts_.floor_sd[j];
+  const auto any_informative = [&](const PerColumn<bool>& metrics) {
+    for (std::size_t j = 0; j < columns; ++j)
       if (metrics[j] && facts_.informative[j]) return true;
     return false;
   };
+  const auto measured = [&](std::size_t j) { return std::isfinite(facts_.floor[j]) && std::isfinite(facts_.null[j]); };
   facts_.used = used_;
+  // An eighth of the recording can be too short for a lag that the whole carries.
+  for (std::size_t j = 0; j < columns; ++j) facts_.used[j] = used_[j] && (distance_.columns()[j].lag == 1 || measured(j));
   if (!any_informative(used_))
-    for (std::size_t j = 0; j < kMetrics; ++j) facts_.used[j] = std::isfinite(facts_.floor[j]) && std::isfinite(facts_.null[j]);
+    for (std::size_t j = 0; j < columns; ++j) facts_.used[j] = measured(j);
   if (any_informative(facts_.used)) scale_ = skill_scale(facts_.floor, facts_.null, facts_.used);
   facts_.mean_floor = scale_.floor;
   facts_.mean_null = scale_.null;
@@ -77,26 +77,28 @@ Judge::Judge(const Conditions& conditions, const PerMetric<bool>& used, std::uin
 
 void Judge::measure_nulls(const Rng& rng) {
   const Tracks& recording = conditions_.recording;
-  std::vector<PerMetric<double>> distances(kTimeshifts + kWalkers);
-  std::vector<PerMetric<Histogram>> shifted(kTimeshifts);
+  const auto& columns = distance_.columns();
+  std::vector<PerColumn<double>> distances(kTimeshifts + kWalkers);
+  std::vector<PerColumn<Histogram>> shifted(kTimeshifts);
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(distances.size()); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Rng own = rng.derive(Stream::surrogate, k);
     const bool shift = k < kTimeshifts;
     const auto blocks = distance_.blocks(shift ? timeshift(recording, own) : shuffled_walker(recording, own));
-    auto wanted = kNeighbourMetrics;
-    if (!shift) std::transform(wanted.begin(), wanted.end(), wanted.begin(), std::logical_not<>());
+    PerColumn<bool> wanted(columns.size());
+    for (std::size_t j = 0; j < columns.size(); ++j) wanted[j] = columns[j].motion() != shift;
     distances[k] = distance_.to(blocks, wanted);
     if (shift) shifted[k] = HalfDistance::pooled(blocks);
   }
   const auto observed = HalfDistance::pooled(distance_.recording());
   facts_.surrogates = static_cast<int>(kTimeshifts);
-  for (std::size_t j = 0; j < kMetrics; ++j) {
+  facts_.null = PerColumn<double>(columns.size());
+  for (std::size_t j = 0; j < columns.size(); ++j) {
     std::vector<double> column;
     for (const auto& d : distances) column.push_back(d[j]);
     facts_.null[j] = estimate(column).value;
-    if (!kNeighbourMetrics[j]) continue;
+    if (columns[j].motion()) continue;
     std::vector<Histogram> surrogates;
     for (const auto& h : shifted) surrogates.push_back(h[j]);
     facts_.interaction_p[j - kDistance] = surrogate_p(observed[j], surrogates);
@@ -110,10 +112,11 @@ void Judge::judge(FitResult& fit, const Objective& objective, const std::vector<
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(runs.size()); ++i) {
     Run& run = runs[static_cast<std::size_t>(i)];
     const auto tracks = objective.finished(parameters, seeds[static_cast<std::size_t>(i)]);
-    const auto blocks = tracks ? distance_.blocks(*tracks) : HalfDistance::Blocks{};
+    const auto blocks = tracks ? distance_.blocks(*tracks) : distance_.no_blocks();
     const auto pooled = HalfDistance::pooled(blocks);
     run.distance = distance_.to(blocks);
-    for (std::size_t j = 0; j < kMetrics; ++j) {
+    run.wasserstein = PerColumn<double>(real.size());
+    for (std::size_t j = 0; j < real.size(); ++j) {
       if (std::isnan(run.distance[j]) && !std::isnan(distance_.floor()[j])) run.distance[j] = 1;
       run.wasserstein[j] = wasserstein(real[j], pooled[j], distance_.bin_width());
     }
@@ -127,7 +130,8 @@ void Judge::judge(FitResult& fit, const Objective& objective, const std::vector<
   }
   const Estimate d = estimate(means);
   fit.skill = {scale_.skill(d.value), scale_.slope() * d.se};
-  for (std::size_t j = 0; j < kMetrics; ++j) {
+  fit.total_variation = fit.wasserstein = PerColumn<double>(real.size());
+  for (std::size_t j = 0; j < real.size(); ++j) {
     std::vector<double> distances, shifts;
     for (const Run& run : runs) distances.push_back(run.distance[j]), shifts.push_back(run.wasserstein[j]);
     fit.total_variation[j] = estimate(distances).value;
@@ -146,13 +150,13 @@ void Judge::tell(Comparison& result) const {
   for (const Index lag : plan_.vacf_lags) result.panel.lags.push_back(static_cast<double>(lag) * plan_.dt);
 
   const auto& models = result.models;
-  Eigen::MatrixXd table(static_cast<Index>(models.size()), static_cast<Index>(kMetrics));
+  Eigen::MatrixXd table(static_cast<Index>(models.size()), static_cast<Index>(used_.size()));
   for (std::size_t m = 0; m < models.size(); ++m)
-    for (std::size_t j = 0; j < kMetrics; ++j) table(static_cast<Index>(m), static_cast<Index>(j)) = models[m].raw_energies[j];
+    for (std::size_t j = 0; j < used_.size(); ++j) table(static_cast<Index>(m), static_cast<Index>(j)) = models[m].raw_energies[j];
   for (const WithoutOne& w : leave_one_out(table, std::vector<bool>(used_.begin(), used_.end()))) {
     LeftOut out;
     out.model = models[static_cast<std::size_t>(w.dropped)].model;
-    std::copy(w.weighting.weights.begin(), w.weighting.weights.end(), out.weights.begin());
+    out.weights.assign(w.weighting.weights.begin(), w.weighting.weights.end());
     for (const Index row : w.order)
       out.ranking.emplace_back(models[static_cast<std::size_t>(row)].model, w.scores[static_cast<std::size_t>(row)]);
     // Rows stand in order of rank.
@@ -195,6 +199,21 @@ void warn_of_order(const Comparison& r, std::vector<std::string>& out) {
       fmt::join(order, ", "), fmt::join(pairs, " and ")));
 }
 
+// Does the skill rest on other columns than the score?
+void warn_of_basis(const Comparison& r, std::vector<std::string>& out) {
+  bool more = false;
+  std::vector<std::string> missing;
+  for (std::size_t j = 0; j < r.skill.used.size(); ++j) {
+    more = more || (r.skill.used[j] && !r.observation.used[j]);
+    if (!r.skill.used[j] && r.observation.used[j]) missing.push_back(r.columns[j].key());
+  }
+  if (more)
+    out.emplace_back("No metric of the score tells the recording from its surrogates, so the skill rests on all that are defined.");
+  else if (!missing.empty())
+    out.push_back(
+        fmt::format("The skill leaves out {}: an eighth of the recording is too short for so long a lag.", fmt::join(missing, ", ")));
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of_skill(const Comparison& r) {
@@ -208,8 +227,7 @@ std::vector<std::string> warnings_of_skill(const Comparison& r) {
   if (!r.models.empty() && std::isnan(r.models.front().skill.value))
     out.emplace_back(
         "Skill is undefined: the recording is too short to be halved, or no nearer to itself than to its surrogates in any metric.");
-  if (r.skill.used != r.observation.used && !r.models.empty() && std::isfinite(r.models.front().skill.value))
-    out.emplace_back("No metric of the score tells the recording from its surrogates, so the skill rests on all that are defined.");
+  if (!r.models.empty() && std::isfinite(r.models.front().skill.value)) warn_of_basis(r, out);
   warn_of_order(r, out);
   std::vector<std::string> deciders;
   for (const LeftOut& w : r.without)

@@ -13,7 +13,7 @@ namespace swarmfit {
 class Judge {
  public:
   // used: metrics of the score. seed: of the surrogates, the same for all models.
-  Judge(const Conditions& conditions, const PerMetric<bool>& used, std::uint64_t seed);
+  Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed);
 
   // Fills skill, total_variation, wasserstein, panel and vacf from runs of these parameters on these seeds. A run that blew up counts as
   // disjoint, and has no panel.
@@ -26,7 +26,7 @@ class Judge {
   void measure_nulls(const Rng& rng);
 
   const Conditions& conditions_;
-  PerMetric<bool> used_;
+  PerColumn<bool> used_;
   HalfDistance distance_;
   PanelPlan plan_;
   SkillFacts facts_;

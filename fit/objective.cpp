@@ -18,16 +18,17 @@ void add(Counters& sum, const Counters& part) {
 }
 
 void append(MetricSamples& all, MetricSamples part) {
-  for (std::size_t m = 0; m < kMetrics; ++m) all.values[m].insert(all.values[m].end(), part.values[m].begin(), part.values[m].end());
+  for (std::size_t m = 0; m < all.values.size(); ++m)
+    all.values[m].insert(all.values[m].end(), part.values[m].begin(), part.values[m].end());
 }
 
 }  // namespace
 
 // One replicate. Samples are kept only where pooling needs them: z-scores of a pooled set are not those of its parts.
 struct Objective::Trial {
-  PerMetric<Distribution> distributions{};
+  PerColumn<Distribution> distributions;
   MetricSamples samples;
-  Energies raw{};
+  Energies raw;
   Counters count;
   bool failed = false;
 };
@@ -76,29 +77,34 @@ std::optional<Tracks> Objective::finished(const std::vector<double>& candidate, 
 }
 
 Objective::Trial Objective::run(const std::vector<double>& candidate, const Rng& seed, int finer) const {
+  const std::size_t columns = target_.columns().size();
   Trial trial;
+  trial.raw = Energies(columns);
   const Tracks seen = simulate(candidate, seed, finer, trial.count, trial.failed);
   if (!trial.failed) {
-    trial.samples = metric_samples(seen, {conditions_.options.velocity});
+    trial.samples = metric_samples(seen, conditions_.metrics);
     trial.distributions = target_.distributions(trial.samples);
     trial.raw = target_.energies(trial.distributions);
     if (target_.binning().normalisation != Normalisation::separate) trial.samples = {};
   }
-  for (std::size_t m = 0; m < kMetrics; ++m)
+  for (std::size_t m = 0; m < columns; ++m)
     if (target_.defined(m) && (trial.failed || std::isnan(trial.raw[m]))) trial.raw[m] = target_.worst();
   return trial;
 }
 
 Outcome Objective::pool(std::span<Trial> trials) const {
+  const std::size_t columns = target_.columns().size();
   Outcome out;
-  MetricSamples samples;
+  out.raw = Energies(columns);
+  out.distributions = PerColumn<Distribution>(columns);
+  MetricSamples samples(target_.columns());
   for (Trial& trial : trials) {
     out.replicates.push_back(trial.raw);
     out.failed += trial.failed;
     add(out.count, trial.count);
     if (trial.failed) continue;
     if (target_.binning().normalisation == Normalisation::separate) append(samples, std::move(trial.samples));
-    for (std::size_t m = 0; m < kMetrics; ++m) {
+    for (std::size_t m = 0; m < columns; ++m) {
       out.distributions[m].histogram.add(trial.distributions[m].histogram);
       out.distributions[m].moments.add(trial.distributions[m].moments);
     }
@@ -106,7 +112,7 @@ Outcome Objective::pool(std::span<Trial> trials) const {
   if (target_.binning().normalisation == Normalisation::separate) out.distributions = target_.distributions(samples);
   const double failed = static_cast<double>(out.failed) / static_cast<double>(trials.size());
   const Energies good = failed < 1 ? target_.energies(out.distributions) : Energies{};
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+  for (std::size_t m = 0; m < columns; ++m) {
     const double energy = failed < 1 && std::isfinite(good[m]) ? good[m] : target_.worst();
     out.raw[m] = target_.defined(m) ? (1 - failed) * energy + failed * target_.worst() : NAN;
   }

@@ -14,16 +14,17 @@ namespace swarmfit {
 
 // One candidate over all its replicates.
 struct Outcome {
-  Energies raw{};                    // pooled; a replicate that blew up counts with the worst energy; NaN: undefined in the recording
-  std::vector<Energies> replicates;  // of each replicate alone
-  PerMetric<Distribution> distributions{};  // pooled replicates
-  int failed = 0;                           // replicates that blew up
-  Counters count;                           // summed
+  Energies raw;                           // pooled; a replicate that blew up counts with the worst energy; NaN: undefined in the recording
+  std::vector<Energies> replicates;       // of each replicate alone
+  PerColumn<Distribution> distributions;  // pooled replicates
+  int failed = 0;                         // replicates that blew up
+  Counters count;                         // summed
 };
 
 // The objective of one model on one recording. Const and shared by threads; holds references, so all arguments must outlive it.
 class Objective {
  public:
+  // The target must have been measured as conditions.metrics says.
   Objective(const ModelChoice& model, const Conditions& conditions, const Target& target);
 
   // Evaluates candidates (full parameter vectors) on the same replicate seeds: common random numbers make candidates comparable.

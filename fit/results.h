@@ -53,9 +53,18 @@ struct ObservationFacts {
   bool white = true;                              // the estimate is consistent with white error
   double smoothing = 0;                           // standard deviation of the Gaussian smoothing of both sides [frames]; 0: none
   std::string velocity;                           // "difference" or "recorded"
-  PerMetric<double> error_share{};                // share of each metric's variance that is localisation error; NaN unknown
-  PerMetric<bool> used{};                         // is the metric in the default score?
-  PerMetric<std::string> why_not{};               // the reason where it is not
+  PerColumn<double> error_share{};                // share of each column's variance that is localisation error; NaN unknown
+  PerColumn<bool> used{};                         // is the column in the default score?
+  PerColumn<std::string> why_not{};               // the reason where it is not
+  int longest_lag = 1;                            // that the recording carries (libeval/lags.h) [frames]
+};
+
+// What the columns of one lag contribute.
+struct LagFacts {
+  int lag = 1;               // [frames]; 0: the columns without one, d and eta
+  int scored = 0;            // columns in the score
+  double weight = 0;         // their weights, summed
+  double error_share = NAN;  // the largest of its columns; NaN unknown
 };
 
 struct ParameterResult {
@@ -72,10 +81,10 @@ struct ConvergencePoint {
   double best;               // best score so far, with the weights of that pass
 };
 
-// A model's score when the weight of one metric is dropped or doubled, and its rank when it is dropped.
+// A model's score when the weight of one column is dropped or doubled, and its rank when it is dropped.
 struct Sensitivity {
-  PerMetric<double> without{}, doubled{};
-  PerMetric<int> rank_without{};
+  PerColumn<double> without{}, doubled{};
+  PerColumn<int> rank_without{};
 };
 
 // A number and its standard error; NaN: undefined.
@@ -85,12 +94,12 @@ struct Estimate {
 
 // The scale of skill, which the recording sets alone (libeval/skill.h).
 struct SkillFacts {
-  PerMetric<double> floor{}, floor_sd{};  // total variation distance between halves of the recording; NaN undefined
-  PerMetric<double> null{};               // of the surrogates without interaction (d, eta) or without memory of direction (the others)
-  PerMetric<bool> informative{};          // the null is farther than the floor by more than two of its standard deviations
-  // Behind the skill: the metrics of the score, or all that are defined if none of those is informative.
-  PerMetric<bool> used{};
-  double mean_floor = NAN, mean_null = NAN;  // over the used metrics
+  PerColumn<double> floor{}, floor_sd{};  // total variation distance between halves of the recording; NaN undefined
+  PerColumn<double> null{};               // of the surrogates without interaction (d, eta) or without memory of direction (the others)
+  PerColumn<bool> informative{};          // the null is farther than the floor by more than two of its standard deviations
+  // Behind the skill: the columns of the score, or all that are defined if none of those is informative.
+  PerColumn<bool> used{};
+  double mean_floor = NAN, mean_null = NAN;  // over the used columns
   double interaction_p[2] = {NAN, NAN};      // of d and eta: is the recording like its own tracks shifted in time?
   int surrogates = 0;                        // behind interaction_p
 };
@@ -106,7 +115,7 @@ struct PanelFacts {
 // The ranking of the others, from the same energies, when one model is not compared.
 struct LeftOut {
   std::string model;
-  PerMetric<double> weights{};
+  PerColumn<double> weights{};
   std::vector<std::pair<std::string, double>> ranking;  // names and scores, best first
   bool reordered = false;                               // two of the others change places
   bool winner_changed = false;                          // another than the first leads, the first not being the one left out
@@ -127,8 +136,8 @@ struct FitResult {
   Energies half_step_energies{};               // raw energies of the same parameters at half the time step, same number of replicates
   Sensitivity sensitivity;
   std::vector<Energies> replicate_energies;                        // raw, one per final replicate
-  PerMetric<Distribution> distributions{};                         // pooled final replicates, on the recording's axes
-  PerMetric<double> mean_ratio{}, sd_ratio{}, outside_fraction{};  // simulation / recording
+  PerColumn<Distribution> distributions{};                         // pooled final replicates, on the recording's axes
+  PerColumn<double> mean_ratio{}, sd_ratio{}, outside_fraction{};  // simulation / recording
   double extent = 0, spacing = 0, speed = 0;                       // of the simulated group, as in DataFacts
   std::int64_t evaluations = 0;                                    // candidates simulated
   std::int64_t simulations = 0;                                    // runs: candidates × replicates, the final ones included
@@ -139,8 +148,8 @@ struct FitResult {
   double infeasible_avoidance = 0;  // share of final agent-steps without a collision-free velocity
   std::vector<ConvergencePoint> convergence;
   Estimate skill;                       // 1: as alike as the recording is to itself, 0: as its surrogates; over final replicates
-  PerMetric<double> total_variation{};  // mean over single final replicates, of halves against halves: the D of the skill
-  PerMetric<double> wasserstein{};      // mean over single final replicates [sd of the recording]
+  PerColumn<double> total_variation{};  // mean over single final replicates, of halves against halves: the D of the skill
+  PerColumn<double> wasserstein{};      // mean over single final replicates [sd of the recording]
   std::vector<Estimate> panel;          // per item of PanelFacts
   std::vector<Estimate> vacf;           // per lag of PanelFacts
 };
@@ -158,7 +167,7 @@ struct HistoryRow {
 // One pass of the calibration loop.
 struct WeightStep {
   int pass;
-  PerMetric<double> weights, p1, p2;
+  PerColumn<double> weights, p1, p2;
   double largest_change;  // max |w - w before|
 };
 
@@ -172,10 +181,12 @@ struct Comparison {
   DataFacts data;
   ObservationFacts observation;
   Binning binning;
-  PerMetric<Distribution> recording{};           // the recording's histograms
-  PerMetric<double> axis_lower{}, axis_width{};  // of all histograms, physical units
-  PerMetric<bool> defined{};
-  PerMetric<double> weights{}, p1{}, p2{};
+  std::vector<Column> columns = columns_at({1});  // of every table below, and of the models
+  std::vector<LagFacts> lags;                     // ascending, those without a lag last
+  PerColumn<Distribution> recording{};            // the recording's histograms
+  PerColumn<double> axis_lower{}, axis_width{};   // of all histograms, physical units
+  PerColumn<bool> defined{};
+  PerColumn<double> weights{}, p1{}, p2{};
   std::vector<WeightStep> weight_history;
   bool weights_converged = false;
   std::vector<FitResult> models;                   // by rank

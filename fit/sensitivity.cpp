@@ -7,9 +7,9 @@
 namespace swarmfit {
 namespace {
 
-double score_with(const FitResult& fit, const PerMetric<double>& weights) {
+double score_with(const FitResult& fit, const PerColumn<double>& weights) {
   double total = 0, loss = 0;
-  for (std::size_t j = 0; j < kMetrics; ++j) {
+  for (std::size_t j = 0; j < weights.size(); ++j) {
     if (!(weights[j] > 0)) continue;
     total += weights[j];
     loss += weights[j] * fit.energies[j];
@@ -26,8 +26,10 @@ int rank_of(double score, const std::vector<double>& all) {
 }  // namespace
 
 void fill_sensitivity(Comparison& c) {
-  for (std::size_t j = 0; j < kMetrics; ++j) {
-    PerMetric<double> without = c.weights, doubled = c.weights;
+  const std::size_t columns = c.weights.size();
+  for (FitResult& fit : c.models) fit.sensitivity = {PerColumn<double>(columns), PerColumn<double>(columns), PerColumn<int>(columns)};
+  for (std::size_t j = 0; j < columns; ++j) {
+    PerColumn<double> without = c.weights, doubled = c.weights;
     without[j] = 0;
     doubled[j] *= 2;
     std::vector<double> scores;

@@ -179,10 +179,17 @@ void Moments::add(const Moments& other) {
 
 double Moments::sd() const { return count == 0 ? kNaN : std::sqrt(m2 / static_cast<double>(count)); }
 
-Target::Target(const MetricSamples& recording, const Binning& binning) : binning_(binning) {
+Target::Target(const MetricSamples& recording, const Binning& binning)
+    : binning_(binning),
+      columns_(recording.columns),
+      recording_(columns_.size()),
+      pdf_(columns_.size()),
+      shift_(columns_.size()),
+      scale_(columns_.size()),
+      defined_(columns_.size()) {
   if (binning.bins < 1 || !(binning.lower < binning.upper) || !std::isfinite(binning.upper - binning.lower))
     throw std::invalid_argument("Binning: needs at least one bin and a finite interval");
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+  for (std::size_t m = 0; m < columns_.size(); ++m) {
     const auto& values = recording.values[m];
     Distribution& own = recording_[m];
     own.moments = moments(values);
@@ -200,9 +207,9 @@ Target::Target(const MetricSamples& recording, const Binning& binning) : binning
   }
 }
 
-PerMetric<Distribution> Target::distributions(const MetricSamples& simulated) const {
-  PerMetric<Distribution> out;
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+PerColumn<Distribution> Target::distributions(const MetricSamples& simulated) const {
+  PerColumn<Distribution> out(columns_.size());
+  for (std::size_t m = 0; m < columns_.size(); ++m) {
     const auto& values = simulated.values[m];
     out[m].moments = moments(values);
     if (!defined_[m]) continue;
@@ -213,10 +220,9 @@ PerMetric<Distribution> Target::distributions(const MetricSamples& simulated) co
   return out;
 }
 
-Energies Target::energies(const PerMetric<Distribution>& simulated) const {
-  Energies energy;
-  energy.fill(kNaN);
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+Energies Target::energies(const PerColumn<Distribution>& simulated) const {
+  Energies energy(columns_.size(), kNaN);
+  for (std::size_t m = 0; m < columns_.size(); ++m) {
     const auto& real = pdf_[m];
     const auto q = density(simulated[m].histogram, binning_.lower, binning_.upper);
     if (real.empty() || q.empty()) continue;
@@ -228,8 +234,8 @@ Energies Target::energies(const PerMetric<Distribution>& simulated) const {
   return energy;
 }
 
-Target::Axis Target::axis(std::size_t metric) const {
-  return {shift_[metric] + scale_[metric] * binning_.lower, scale_[metric] * (binning_.upper - binning_.lower) / binning_.bins};
+Target::Axis Target::axis(std::size_t column) const {
+  return {shift_[column] + scale_[column] * binning_.lower, scale_[column] * (binning_.upper - binning_.lower) / binning_.bins};
 }
 
 double Target::worst() const { return 2 * binning_.bins / (binning_.upper - binning_.lower); }

@@ -55,7 +55,7 @@ struct Distribution {
   Moments moments;
 };
 
-using Energies = PerMetric<double>;  // NaN: undefined
+using Energies = PerColumn<double>;  // NaN: undefined
 
 // The recording, prepared once; scores any number of simulations. Immutable, shared by threads.
 //
@@ -63,31 +63,33 @@ using Energies = PerMetric<double>;  // NaN: undefined
 // natural scale is a constant with rounding, and undefined: of the recording, or under `separate` of the simulation.
 class Target {
  public:
-  // Throws std::invalid_argument on a binning without bins or interval.
+  // Has the columns of the recording's samples. Throws std::invalid_argument on a binning without bins or interval.
   Target(const MetricSamples& recording, const Binning& binning);
 
   // Bins simulated samples on the recording's axes (Normalisation::separate: by their own moments, so replicates that are pooled by adding
-  // distributions are each normalised by themselves).
-  PerMetric<Distribution> distributions(const MetricSamples& simulated) const;
-  // E = sum_i |Q_real,i - Q_sim,i| per metric, in [0, 2M/(u2-u1)]. Undefined metrics and metrics without samples are NaN.
-  Energies energies(const PerMetric<Distribution>& simulated) const;
+  // distributions are each normalised by themselves). The samples must have the same columns.
+  PerColumn<Distribution> distributions(const MetricSamples& simulated) const;
+  // E = sum_i |Q_real,i - Q_sim,i| per column, in [0, 2M/(u2-u1)]. Undefined metrics and metrics without samples are NaN.
+  Energies energies(const PerColumn<Distribution>& simulated) const;
 
-  const PerMetric<Distribution>& recording() const { return recording_; }
+  const std::vector<Column>& columns() const { return columns_; }
+  const PerColumn<Distribution>& recording() const { return recording_; }
   const Binning& binning() const { return binning_; }
-  // The recording's axis of one metric in physical units: bin i covers [lower + i*width, lower + (i+1)*width), the last one closed.
+  // The recording's axis of one column in physical units: bin i covers [lower + i*width, lower + (i+1)*width), the last one closed.
   struct Axis {
     double lower, width;
   };
-  Axis axis(std::size_t metric) const;
-  bool defined(std::size_t metric) const { return defined_[metric]; }  // false: constant or without samples
+  Axis axis(std::size_t column) const;
+  bool defined(std::size_t column) const { return defined_[column]; }  // false: constant or without samples
   double worst() const;                                                // 2M/(u2-u1): the energy of disjoint distributions
 
  private:
   Binning binning_;
-  PerMetric<Distribution> recording_;
-  PerMetric<std::vector<double>> pdf_;
-  PerMetric<double> shift_{}, scale_{};  // z = (x - shift) / scale
-  PerMetric<bool> defined_{};
+  std::vector<Column> columns_;
+  PerColumn<Distribution> recording_;
+  PerColumn<std::vector<double>> pdf_;
+  PerColumn<double> shift_, scale_;  // z = (x - shift) / scale
+  PerColumn<bool> defined_;
 };
 
 }  // namespace swarmfit

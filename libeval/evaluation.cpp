@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "libeval/lags.h"
 #include "libeval/order.h"
 #include "libtrack/error.h"
 #include "libtrack/text_scan.h"
@@ -52,15 +53,18 @@ std::vector<std::string> header(std::string_view line) {
 
 Evaluation evaluate(const Tracks& real, const Tracks& simulated, const Binning& binning, const MetricOptions& options) {
   require_comparable(real, simulated);
+  require_lags(real, options.lags);
   const Target target(metric_samples(real, options), binning);
   Evaluation e;
   e.real = real.meta();
   e.simulated = simulated.meta();
   e.binning = target.binning();
+  e.columns = target.columns();
+  e.axis_lower = e.axis_width = PerColumn<double>(e.columns.size());
   e.real_distribution = target.recording();
   e.simulated_distribution = target.distributions(metric_samples(simulated, options));
   e.raw_energies = target.energies(e.simulated_distribution);
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+  for (std::size_t m = 0; m < e.columns.size(); ++m) {
     e.axis_lower[m] = target.axis(m).lower;
     e.axis_width[m] = target.axis(m).width;
   }

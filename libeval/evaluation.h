@@ -20,13 +20,15 @@ struct OrderMeans {
 struct Evaluation {
   TrackMeta real, simulated;
   Binning binning;
-  PerMetric<double> axis_lower{}, axis_width{};  // bin i covers [lower + i width, lower + (i+1) width), physical units
-  Energies raw_energies{};                       // NaN: undefined
-  PerMetric<Distribution> real_distribution{}, simulated_distribution{};
+  std::vector<Column> columns = columns_at({1});
+  PerColumn<double> axis_lower, axis_width;  // bin i covers [lower + i width, lower + (i+1) width), physical units
+  Energies raw_energies;                     // NaN: undefined
+  PerColumn<Distribution> real_distribution, simulated_distribution;
   OrderMeans real_order, simulated_order;
 };
 
-// Compares two recordings. Throws InputError if they differ in dimension, length unit, or by more than 1 % in frame interval.
+// Compares two recordings. Throws InputError if they differ in dimension, length unit, or by more than 1 % in frame interval,
+// and as require_lags does.
 Evaluation evaluate(const Tracks& real, const Tracks& simulated, const Binning& binning, const MetricOptions& options = {});
 
 // A table of energies with names: rows are models, columns metrics.

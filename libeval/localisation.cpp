@@ -169,10 +169,11 @@ Tracks with_error(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64
   return Tracks(std::move(c), tracks.meta());
 }
 
-PerMetric<double> error_share(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed) {
-  const MetricSamples once = metric_samples(tracks), twice = metric_samples(with_error(tracks, sigma, seed));
-  PerMetric<double> out;
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+PerColumn<double> error_share(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed, const std::vector<int>& lags) {
+  const MetricOptions options{VelocitySource::difference, lags};
+  const MetricSamples once = metric_samples(tracks, options), twice = metric_samples(with_error(tracks, sigma, seed), options);
+  PerColumn<double> out(once.columns.size());
+  for (std::size_t m = 0; m < out.size(); ++m) {
     const double before = squared_iqr(once.values[m]), after = squared_iqr(twice.values[m]);
     const bool defined = before > 0 && std::isfinite(after);
     out[m] = defined ? std::clamp(after / before - 1, 0.0, 1.0) : std::numeric_limits<double>::quiet_NaN();

@@ -31,10 +31,10 @@ Localisation estimate_localisation(const Tracks& tracks);
 // The same positions with normal error added, independent per axis and frame: a pure function of (seed, track, frame, axis).
 Tracks with_error(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed);
 
-// Share of each metric's spread (squared interquartile range) that is due to an error of this size: adds the same error once more and looks
+// Share of each column's spread (squared interquartile range) that is due to an error of this size: adds the same error once more and looks
 // how far the spread rises (one step of SIMEX, Cook & Stefanski 1994). The variance itself would not do: in real recordings a few wild
 // values make up most of the variance of jerks. 0..1; NaN if the metric has no spread. An angle cannot exceed pi: where error already turns
 // headings at random, the share of omega and alpha comes out too small.
-PerMetric<double> error_share(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed);
+PerColumn<double> error_share(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed, const std::vector<int>& lags = {1});
 
 }  // namespace swarmfit

@@ -2,22 +2,13 @@
 #include "libeval/metrics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "libtrack/error.h"
 
 namespace swarmfit {
-
-const PerMetric<MetricInfo> kMetricInfo = {{
-    {"v", "v", "speed", 1, -1},
-    {"a", "a", "acceleration", 1, -2},
-    {"omega", "ω", "angular velocity", 0, -1},
-    {"alpha", "α", "angular acceleration", 0, -2},
-    {"mu", "μ", "Cartesian jerk", 1, -3},
-    {"d", "d", "shortest distance", 1, 0},
-    {"eta", "η", "velocity difference", 0, -1},
-}};
 
 namespace {
 
@@ -38,16 +29,24 @@ double angle(Vec a, Vec b) { return std::atan2(length(cross(a, b)), dot(a, b)); 
 
 Vec row_of(const Rows& rows, Index i) { return {rows(i, 0), rows(i, 1), rows(i, 2)}; }
 
-// Velocity and speed per row, whichever way velocities are got.
+// The row `lag` frames later in the same unbroken run, per row; -1 where there is none.
+std::vector<Index> rows_ahead(const Tracks& tracks, int lag) {
+  std::vector<Index> ahead(static_cast<std::size_t>(tracks.rows()), -1);
+  const auto l = static_cast<std::size_t>(lag);
+  for_each_segment(tracks, lag + 1, [&](std::span<const Index> run) {
+    for (std::size_t k = 0; k + l < run.size(); ++k) ahead[static_cast<std::size_t>(run[k])] = run[k + l];
+  });
+  return ahead;
+}
+
+// Velocity and speed per row, whichever way velocities are got. `next` is the row that a difference is taken with, dt later.
 class Velocities {
  public:
-  Velocities(const Tracks& tracks, VelocitySource source) : next_(tracks.next()), recorded_(source == VelocitySource::recorded) {
-    if (recorded_ && !tracks.has_velocity())
-      throw InputError("--velocity recorded: the recording has no velocity columns; expected columns for vx, vy (and vz)");
+  Velocities(const Tracks& tracks, VelocitySource source, std::span<const Index> next, double dt)
+      : next_(next), recorded_(source == VelocitySource::recorded) {
     const auto n = static_cast<std::size_t>(tracks.rows());
     v_.resize(n);
     speed_.assign(n, kUndefined);
-    const double dt = tracks.dt();
     for (std::size_t r = 0; r < n; ++r) {
       if (!exists(static_cast<Index>(r))) continue;
       if (recorded_) {
@@ -91,28 +90,32 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-class Sampler {
- public:
-  Sampler(const Tracks& tracks, const MetricOptions& options)
-      : tracks_(tracks), next_(tracks.next()), dt_(tracks.dt()), v_(tracks, options.velocity) {
-    for (auto& values : out_.values) values.reserve(static_cast<std::size_t>(tracks.rows()));
-  }
+void put(MetricSamples& out, std::size_t column, double value) {
+  std::isfinite(value) ? out.values[column].push_back(value) : void(++out.undefined[column]);
+}
 
-  MetricSamples take() {
+// The columns of one lag, the first of which is `first`. `next` is the row one lag ahead, `dt` the time until then.
+class Motion {
+ public:
+  Motion(const Velocities& v, std::span<const Index> next, double dt, std::size_t first, MetricSamples& out)
+      : v_(v), next_(next), dt_(dt), first_(first), out_(out) {}
+
+  void take() {
     motion();
     turning();
-    neighbours();
-    scales();
-    return std::move(out_);
+    const double v = mean(out_.values[first_ + kSpeed]), dt = dt_;
+    const std::array<double, kMotionMetrics> natural = {v, v / dt, 1 / dt, 1 / (dt * dt), v / (dt * dt)};
+    std::copy(natural.begin(), natural.end(), out_.natural.begin() + static_cast<std::ptrdiff_t>(first_));
   }
 
  private:
-  void put(Metric metric, double value) { std::isfinite(value) ? out_.values[metric].push_back(value) : void(++out_.undefined[metric]); }
+  void put(Metric metric, double value) { swarmfit::put(out_, first_ + metric, value); }
   Index next(Index row) const { return next_[static_cast<std::size_t>(row)]; }
+  Index rows() const { return static_cast<Index>(next_.size()); }
 
   // v, a and mu
   void motion() {
-    for (Index k = 0; k < tracks_.rows(); ++k) {
+    for (Index k = 0; k < rows(); ++k) {
       if (!v_.exists(k)) continue;
       put(kSpeed, v_.speed(k));
       const Index k1 = next(k);
@@ -127,9 +130,9 @@ class Sampler {
 
   // omega and alpha
   void turning() {
-    const double still = still_speed(out_.values[kSpeed]);
-    std::vector<double> omega(static_cast<std::size_t>(tracks_.rows()), kUndefined);
-    for (Index k = 0; k < tracks_.rows(); ++k) {
+    const double still = still_speed(out_.values[first_ + kSpeed]);
+    std::vector<double> omega(next_.size(), kUndefined);
+    for (Index k = 0; k < rows(); ++k) {
       if (!turns(k)) continue;
       const Index k1 = next(k);
       const double slower = std::min(v_.speed(k), v_.speed(k1));
@@ -137,38 +140,63 @@ class Sampler {
       if (slower > 0 && slower >= still) now = angle(v_[k], v_[k1]) / dt_;
       put(kAngularVelocity, now);
     }
-    for (Index k = 0; k < tracks_.rows(); ++k)
+    for (Index k = 0; k < rows(); ++k)
       if (turns(k) && turns(next(k)))
         put(kAngularAcceleration, (omega[static_cast<std::size_t>(next(k))] - omega[static_cast<std::size_t>(k)]) / dt_);
   }
   bool turns(Index row) const { return v_.exists(row) && v_.exists(next(row)); }
 
-  // d and eta
-  void neighbours() {
-    const Nearest nearest = nearest_neighbours(tracks_);
-    for (Index k = 0; k < tracks_.rows(); ++k) {
-      const Index j = nearest.row[static_cast<std::size_t>(k)];
-      const double d = nearest.distance[static_cast<std::size_t>(k)];
-      put(kDistance, d);
-      if (!v_.exists(k) || (j >= 0 && !v_.exists(j))) continue;
-      put(kVelocityDifference, j >= 0 && d >= kCoincident ? std::abs(v_.speed(j) - v_.speed(k)) / d : kUndefined);
-    }
-  }
-
-  void scales() {
-    const double v = mean(out_.values[kSpeed]), d = mean(out_.values[kDistance]), dt = dt_;
-    out_.natural = {v, v / dt, 1 / dt, 1 / (dt * dt), v / (dt * dt), d, d > 0 ? v / d : 0};
-  }
-
-  const Tracks& tracks_;
+  const Velocities& v_;
   std::span<const Index> next_;
   double dt_;
-  Velocities v_;
-  MetricSamples out_;
+  std::size_t first_;
+  MetricSamples& out_;
 };
+
+// d and eta; v: from one frame to the next.
+void neighbours(const Tracks& tracks, const Velocities& v, MetricSamples& out) {
+  const Nearest nearest = nearest_neighbours(tracks);
+  for (Index k = 0; k < tracks.rows(); ++k) {
+    const Index j = nearest.row[static_cast<std::size_t>(k)];
+    const double d = nearest.distance[static_cast<std::size_t>(k)];
+    put(out, kDistance, d);
+    if (!v.exists(k) || (j >= 0 && !v.exists(j))) continue;
+    put(out, kVelocityDifference, j >= 0 && d >= kCoincident ? std::abs(v.speed(j) - v.speed(k)) / d : kUndefined);
+  }
+}
+
+void require_velocities(const Tracks& tracks, const MetricOptions& options) {
+  if (options.velocity != VelocitySource::recorded) return;
+  if (!tracks.has_velocity())
+    throw InputError("--velocity recorded: the recording has no velocity columns; expected columns for vx, vy (and vz)");
+  if (options.lags != std::vector<int>{1})
+    throw InputError("--velocity recorded: recorded velocities belong to an instant; expected --lags 1");
+}
 
 }  // namespace
 
-MetricSamples metric_samples(const Tracks& tracks, const MetricOptions& options) { return Sampler(tracks, options).take(); }
+MetricSamples metric_samples(const Tracks& tracks, const MetricOptions& options) {
+  require_velocities(tracks, options);
+  MetricSamples out(columns_at(options.lags));
+  for (auto& values : out.values) values.reserve(static_cast<std::size_t>(tracks.rows()));
+  const double dt = tracks.dt();
+  const Velocities now(tracks, options.velocity, tracks.next(), dt);
+  std::size_t first = 0;
+  for (const int lag : options.lags) {
+    if (lag == 1) {
+      Motion(now, tracks.next(), dt, first, out).take();
+    } else {
+      const std::vector<Index> ahead = rows_ahead(tracks, lag);
+      const double lagged = lag * dt;
+      Motion(Velocities(tracks, options.velocity, ahead, lagged), ahead, lagged, first, out).take();
+    }
+    first += first == 0 ? kMetrics : kMotionMetrics;
+  }
+  neighbours(tracks, now, out);
+  const double d = mean(out.values[kDistance]);
+  out.natural[kDistance] = d;
+  out.natural[kVelocityDifference] = d > 0 ? out.natural[kSpeed] / d : 0;
+  return out;
+}
 
 }  // namespace swarmfit

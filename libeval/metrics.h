@@ -2,27 +2,13 @@
 // The seven motion metrics of Ren et al. 2016 (Eq 6 ff.), per individual and frame.
 #pragma once
 
-#include <array>
-#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "libeval/columns.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
-
-enum Metric : std::size_t { kSpeed, kAcceleration, kAngularVelocity, kAngularAcceleration, kJerk, kDistance, kVelocityDifference };
-inline constexpr std::size_t kMetrics = 7;
-
-template <class T>
-using PerMetric = std::array<T, kMetrics>;
-
-struct MetricInfo {
-  std::string_view key;     // in tables and JSON: "v", "a", "omega", "alpha", "mu", "d", "eta"
-  std::string_view symbol;  // "v", "a", "ω", "α", "μ", "d", "η"
-  std::string_view name;    // "speed", ...
-  int length, time;         // unit as powers of length and time
-};
-extern const PerMetric<MetricInfo> kMetricInfo;
 
 // How positions become velocities.
 enum class VelocitySource {
@@ -32,6 +18,7 @@ enum class VelocitySource {
 
 struct MetricOptions {
   VelocitySource velocity = VelocitySource::difference;
+  std::vector<int> lags = {1};  // ascending, each at least 1
 };
 
 // All defined values of each metric, in row order of the tracks; the order carries no meaning.
@@ -41,14 +28,24 @@ struct MetricOptions {
 //   eta = | |v_nearest| - |v| | / d
 // omega is undefined where either speed is zero or below 1e-9 of the median speed; eta where d < 1e-9; d and eta in frames with one
 // individual. eta needs the nearest's velocity as well as one's own. Nothing is differenced across a gap.
+//
+// At lag l the first five are those of positions l frames apart, in overlapping samples: v_k = (p_{k+l} - p_k)/(l dt) and so on with
+// k + l, k + 2l and l dt in place of k + 1, k + 2 and dt. A sample of mu needs 3l + 1 frames without a gap. d and eta have no lag.
 struct MetricSamples {
-  PerMetric<std::vector<double>> values;  // finite
-  PerMetric<Index> undefined{};           // rows where the metric had all the frames it needs and is still undefined
-  // What the recording's mean speed V, mean nearest distance D and dt make of each metric's unit: V, V/dt, 1/dt, 1/dt², V/dt², D, V/D.
-  // A spread below 1e-9 of it is rounding. 0: not known.
-  PerMetric<double> natural{};
+  MetricSamples() : MetricSamples(columns_at({1})) {}
+  explicit MetricSamples(std::vector<Column> of) : columns(std::move(of)) {
+    const std::size_t n = columns.size();
+    values.resize(n), undefined.resize(n), natural.resize(n);
+  }
+
+  std::vector<Column> columns;
+  PerColumn<std::vector<double>> values;  // finite
+  PerColumn<Index> undefined;             // rows where the metric had all the frames it needs and is still undefined
+  // What the recording's mean speed V, mean nearest distance D and dt make of each metric's unit: V, V/dt, 1/dt, 1/dt², V/dt², D, V/D;
+  // at lag l with l dt for dt and the speed at that lag. A spread below 1e-9 of it is rounding. 0: not known.
+  PerColumn<double> natural;
 };
-// Throws InputError if recorded velocities are asked for and the tracks have none.
+// Throws InputError if recorded velocities are asked for and the tracks have none, or at another lag than 1: they belong to an instant.
 MetricSamples metric_samples(const Tracks& tracks, const MetricOptions& options = {});
 
 // Nearest other individual in the same frame: row number per row and its distance [unit]; -1 and infinity for somebody alone.

@@ -52,13 +52,13 @@ Tracks cut(const Tracks& tracks, std::int64_t first, std::int64_t last) {
 
 HalfDistance::HalfDistance(const Tracks& recording, const MetricOptions& options)
     : options_(options), target_(metric_samples(recording, options), Binning::standard(Normalisation::reference)) {
-  floor_.fill(kNaN);
-  floor_sd_.fill(kNaN);
+  floor_ = floor_sd_ = PerColumn<double>(columns().size(), kNaN);
+  recording_ = no_blocks();
   const auto frames = recording.frames();
   if (frames.size() < kFewestFrames) return;
   for (std::size_t b = 0; b < kBlocks; ++b) first_frame_.push_back(frames[b * frames.size() / kBlocks].number);
   recording_ = blocks(recording);
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+  for (std::size_t m = 0; m < floor_.size(); ++m) {
     const Moments moments = over_halves(recording_, recording_, m);
     if (moments.count == 0) continue;
     floor_[m] = moments.mean;
@@ -67,20 +67,25 @@ HalfDistance::HalfDistance(const Tracks& recording, const MetricOptions& options
 }
 
 HalfDistance::Blocks HalfDistance::blocks(const Tracks& tracks) const {
-  Blocks out;
+  Blocks out = no_blocks();
   constexpr std::int64_t kBefore = std::numeric_limits<std::int64_t>::min(), kAfter = std::numeric_limits<std::int64_t>::max();
   for (std::size_t b = 0; b < first_frame_.size(); ++b) {
     const Tracks part = cut(tracks, b == 0 ? kBefore : first_frame_[b], b + 1 < kBlocks ? first_frame_[b + 1] : kAfter);
     const auto distributions = target_.distributions(metric_samples(part, options_));
-    for (std::size_t m = 0; m < kMetrics; ++m) out[b][m] = distributions[m].histogram;
+    for (std::size_t m = 0; m < distributions.size(); ++m) out[b][m] = distributions[m].histogram;
   }
   return out;
 }
 
-PerMetric<double> HalfDistance::to(const Blocks& other, const PerMetric<bool>& wanted) const {
-  PerMetric<double> out;
-  out.fill(kNaN);
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+HalfDistance::Blocks HalfDistance::no_blocks() const {
+  Blocks out;
+  out.fill(PerColumn<Histogram>(columns().size()));
+  return out;
+}
+
+PerColumn<double> HalfDistance::to(const Blocks& other, const PerColumn<bool>& wanted) const {
+  PerColumn<double> out(columns().size(), kNaN);
+  for (std::size_t m = 0; m < out.size(); ++m) {
     if (!wanted[m]) continue;
     const Moments moments = over_halves(recording_, other, m);
     if (moments.count > 0) out[m] = moments.mean;
@@ -88,9 +93,9 @@ PerMetric<double> HalfDistance::to(const Blocks& other, const PerMetric<bool>& w
   return out;
 }
 
-PerMetric<Histogram> HalfDistance::pooled(const Blocks& blocks) {
-  PerMetric<Histogram> out;
-  for (std::size_t m = 0; m < kMetrics; ++m) out[m] = sum_of(blocks, m, kAll);
+PerColumn<Histogram> HalfDistance::pooled(const Blocks& blocks) {
+  PerColumn<Histogram> out(blocks[0].size());
+  for (std::size_t m = 0; m < out.size(); ++m) out[m] = sum_of(blocks, m, kAll);
   return out;
 }
 
@@ -103,14 +108,14 @@ double SkillScale::skill(double distance) const { return null > floor ? 1 - (dis
 
 double SkillScale::slope() const { return null > floor ? 1 / (null - floor) : kNaN; }
 
-double mean_used(const PerMetric<double>& values, const PerMetric<bool>& used) {
+double mean_used(const PerColumn<double>& values, const PerColumn<bool>& used) {
   double sum = 0, count = 0;
-  for (std::size_t m = 0; m < kMetrics; ++m)
+  for (std::size_t m = 0; m < used.size(); ++m)
     if (used[m]) sum += values[m], ++count;
   return count > 0 ? sum / count : kNaN;
 }
 
-SkillScale skill_scale(const PerMetric<double>& floor, const PerMetric<double>& null, const PerMetric<bool>& used) {
+SkillScale skill_scale(const PerColumn<double>& floor, const PerColumn<double>& null, const PerColumn<bool>& used) {
   return {mean_used(floor, used), mean_used(null, used)};
 }
 

@@ -15,45 +15,48 @@ namespace swarmfit {
 class HalfDistance {
  public:
   static constexpr std::size_t kBlocks = 8;
-  using Blocks = std::array<PerMetric<Histogram>, kBlocks>;
+  using Blocks = std::array<PerColumn<Histogram>, kBlocks>;
 
   // Needs 32 frames with individuals; with fewer every distance is NaN. Throws InputError as metric_samples does.
   explicit HalfDistance(const Tracks& recording, const MetricOptions& options = {});
 
   // Histograms per block of frames of the recording. Nothing is differenced across the end of a block.
   Blocks blocks(const Tracks& tracks) const;
-  // Per metric, in [0, 1]; NaN where the metric is undefined, in the recording or here. Metrics for which `wanted` is false are NaN too.
-  PerMetric<double> to(const Blocks& other, const PerMetric<bool>& wanted = all()) const;
+  Blocks no_blocks() const;  // without samples
+  // Per column, in [0, 1]; NaN where it is undefined, in the recording or here. Columns for which `wanted` is false are NaN too.
+  PerColumn<double> to(const Blocks& other, const PerColumn<bool>& wanted) const;
+  PerColumn<double> to(const Blocks& other) const { return to(other, all()); }
 
   // The recording against itself: the least distance that can be asked for. Standard deviation over the choices of halves.
-  const PerMetric<double>& floor() const { return floor_; }
-  const PerMetric<double>& floor_sd() const { return floor_sd_; }
+  const PerColumn<double>& floor() const { return floor_; }
+  const PerColumn<double>& floor_sd() const { return floor_sd_; }
 
   // All blocks pooled.
-  static PerMetric<Histogram> pooled(const Blocks& blocks);
+  static PerColumn<Histogram> pooled(const Blocks& blocks);
   const Blocks& recording() const { return recording_; }
   double bin_width() const;  // [sd of the recording]
-  static constexpr PerMetric<bool> all() { return {true, true, true, true, true, true, true}; }
+  const std::vector<Column>& columns() const { return target_.columns(); }
+  PerColumn<bool> all() const { return PerColumn<bool>(columns().size(), true); }
 
  private:
   MetricOptions options_;
   Target target_;
   std::vector<std::int64_t> first_frame_;  // of each block; empty: too few frames
   Blocks recording_;
-  PerMetric<double> floor_{}, floor_sd_{};
+  PerColumn<double> floor_, floor_sd_;
 };
 
 // skill = 1 - (D - D_floor)/(D_null - D_floor): 1 as alike as the recording is to itself, 0 no better than the null, below 0 worse. Means
-// over the metrics with `used`; `slope` turns the standard error of D into that of the skill. NaN unless the mean null exceeds the mean
+// over the columns with `used`; `slope` turns the standard error of D into that of the skill. NaN unless the mean null exceeds the mean
 // floor.
 struct SkillScale {
-  double floor = NAN, null = NAN;  // means over the used metrics
+  double floor = NAN, null = NAN;  // means over the used columns
   double skill(double distance) const;
   double slope() const;  // d skill / d D, as a positive number
 };
-SkillScale skill_scale(const PerMetric<double>& floor, const PerMetric<double>& null, const PerMetric<bool>& used);
+SkillScale skill_scale(const PerColumn<double>& floor, const PerColumn<double>& null, const PerColumn<bool>& used);
 
-// Mean over the used metrics; NaN if one of them is, or none is used.
-double mean_used(const PerMetric<double>& values, const PerMetric<bool>& used);
+// Mean over the used columns; NaN if one of them is, or none is used.
+double mean_used(const PerColumn<double>& values, const PerColumn<bool>& used);
 
 }  // namespace swarmfit

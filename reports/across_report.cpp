@@ -22,9 +22,9 @@ std::string place(const ModelAcross& m, std::size_t recording) {
   return fmt::format("{} ({})", m.rank[recording], fixed(m.score[recording], 3));
 }
 
-Json by_metric(const PerMetric<double>& values) {
+Json by_column(const Across& a, const PerColumn<double>& values) {
   Json out = Json::object();
-  for (std::size_t j = 0; j < kMetrics; ++j) out[std::string(kMetricInfo[j].key)] = values[j];
+  for (std::size_t j = 0; j < a.columns.size(); ++j) out[a.columns[j].key()] = values[j];
   return out;
 }
 
@@ -43,8 +43,8 @@ PaperTable ranking(const Across& a) {
 
 PaperTable weights(const Across& a) {
   PaperTable t{"across_weights", "Entropy weights of the metrics on every recording.", {"recording"}, {}};
-  for (const MetricInfo& info : kMetricInfo) t.head.emplace_back(info.symbol);
-  const auto add = [&](const std::string& name, const PerMetric<double>& values) {
+  for (const Column& column : a.columns) t.head.push_back(column.symbol());
+  const auto add = [&](const std::string& name, const PerColumn<double>& values) {
     std::vector<std::string> row{name};
     for (const double w : values) row.push_back(fixed(w, 4));
     t.rows.push_back(std::move(row));
@@ -77,7 +77,7 @@ std::string across_text(const Across& a, TextStyle style) {
 std::string to_json(const Across& a) {
   Json models = Json::array(), recordings = Json::array();
   for (std::size_t k = 0; k < a.recordings.size(); ++k)
-    recordings.push_back({{"path", a.recordings[k]}, {"weights", by_metric(a.weights[k])}});
+    recordings.push_back({{"path", a.recordings[k]}, {"weights", by_column(a, a.weights[k])}});
   for (const ModelAcross& m : a.models)
     models.push_back({{"name", m.model},
                       {"rank", m.rank},
@@ -87,9 +87,9 @@ std::string to_json(const Across& a) {
                       {"first", m.wins}});
   const Json all = {{"schema", "swarmfit-across/1"},
                     {"recordings", std::move(recordings)},
-                    {"mean_weights", by_metric(a.mean_weight)},
-                    {"smallest_weights", by_metric(a.smallest_weight)},
-                    {"largest_weights", by_metric(a.largest_weight)},
+                    {"mean_weights", by_column(a, a.mean_weight)},
+                    {"smallest_weights", by_column(a, a.smallest_weight)},
+                    {"largest_weights", by_column(a, a.largest_weight)},
                     {"models", std::move(models)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -33,14 +33,14 @@ Json short_numbers(const Values& values) {
 }
 
 Json metric_data(const Comparison& c, std::size_t m) {
-  const MetricInfo& info = kMetricInfo[m];
+  const Column& column = c.columns[m];
   Json models = Json::array();
   for (const FitResult& r : c.models) models.push_back(short_numbers(physical_density(r.distributions[m].histogram, c.axis_width[m])));
-  return {{"key", info.key},
-          {"symbol", info.symbol},
-          {"name", info.name},
-          {"unit", metric_unit(m, c.data.unit)},
-          {"density_unit", density_unit(m, c.data.unit)},
+  return {{"key", column.key()},
+          {"symbol", column.symbol()},
+          {"name", column.name()},
+          {"unit", metric_unit(column.metric, c.data.unit)},
+          {"density_unit", density_unit(column.metric, c.data.unit)},
           {"counts", counts(c, m)},
           {"lower", c.axis_lower[m]},
           {"width", c.axis_width[m]},
@@ -59,7 +59,7 @@ Json model_data(const FitResult& r) {
 
 Json chart_data(const Comparison& c) {
   Json metrics = Json::array(), models = Json::array(), history = Json::array();
-  for (std::size_t m = 0; m < kMetrics; ++m) metrics.push_back(metric_data(c, m));
+  for (std::size_t m = 0; m < c.columns.size(); ++m) metrics.push_back(metric_data(c, m));
   for (const FitResult& r : c.models) models.push_back(model_data(r));
   for (const WeightStep& s : c.weight_history) history.push_back({{"pass", s.pass}, {"weights", short_numbers(s.weights)}});
   return {{"metrics", std::move(metrics)},
@@ -95,6 +95,7 @@ PageValues page_values(const Comparison& c) {
           {"moments", sections::moments(c).text},
           {"weights_converged", sections::weights_converged(c).text},
           {"weights", sections::weights(c).text},
+          {"lags", sections::lags(c).text},
           {"parameters", sections::parameters(c).text},
           {"search", sections::search(c).text},
           {"observation", sections::observation(c).text},

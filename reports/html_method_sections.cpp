@@ -44,7 +44,7 @@ Html parameter_table(const FitResult& r) {
 // The largest change of a raw energy when the time step is halved, among the metrics that count.
 double half_step_change(const Comparison& c, const FitResult& r) {
   double largest = NAN;
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+  for (std::size_t m = 0; m < c.columns.size(); ++m) {
     const double change = std::abs(r.half_step_energies[m] - r.raw_energies[m]);
     if (counts(c, m) && std::isfinite(change)) largest = std::isfinite(largest) ? std::max(largest, change) : change;
   }
@@ -72,9 +72,9 @@ std::string smoothing_text(const Comparison& c) {
 std::string metrics_text(const Comparison& c) {
   std::string symbols;
   int number = 0;
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+  for (std::size_t m = 0; m < c.columns.size(); ++m) {
     if (!counts(c, m)) continue;
-    symbols += fmt::format("{}{}", number++ > 0 ? ", " : "", kMetricInfo[m].symbol);
+    symbols += fmt::format("{}{}", number++ > 0 ? ", " : "", c.columns[m].symbol());
   }
   return fmt::format("{} motion metrics ({})", number, symbols);
 }
@@ -132,8 +132,8 @@ Html observation(const Comparison& c) {
 
   HtmlTable table("How much of each metric is measurement error");
   table.head({column("metric"), column(""), column("share of variance", true), column("in the score"), column("why not")});
-  for (std::size_t m = 0; m < kMetrics; ++m)
-    table.row({name_cell(escaped(kMetricInfo[m].name)), text_cell(kMetricInfo[m].symbol), number_cell(percent(o.error_share[m])),
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    table.row({name_cell(escaped(c.columns[m].name())), text_cell(c.columns[m].symbol()), number_cell(percent(o.error_share[m])),
                text_cell(counts(c, m) ? "yes" : "no"), text_cell(why_left_out(c, m))});
   out += table.html();
   return out;

@@ -16,7 +16,7 @@ namespace {
 using Cells = std::vector<HtmlTable::Cell>;
 
 std::string bracketed(const Comparison& c, std::size_t m) {
-  return counts(c, m) ? std::string(kMetricInfo[m].symbol) : fmt::format("({})", kMetricInfo[m].symbol);
+  return counts(c, m) ? c.columns[m].symbol() : fmt::format("({})", c.columns[m].symbol());
 }
 
 Html model_name(const Comparison& c, std::size_t k) {
@@ -32,11 +32,11 @@ std::string plus_minus(double value, double se, int decimals) {
 // One column per metric, from what `text` says of each.
 template <class Text>
 void metric_columns(const Comparison& c, Cells& cells, Text text) {
-  for (std::size_t m = 0; m < kMetrics; ++m) cells.push_back(number_cell(text(m), !counts(c, m)));
+  for (std::size_t m = 0; m < c.columns.size(); ++m) cells.push_back(number_cell(text(m), !counts(c, m)));
 }
 
 void metric_heads(const Comparison& c, Cells& cells) {
-  for (std::size_t m = 0; m < kMetrics; ++m) cells.push_back(column(bracketed(c, m), true, !counts(c, m)));
+  for (std::size_t m = 0; m < c.columns.size(); ++m) cells.push_back(column(bracketed(c, m), true, !counts(c, m)));
 }
 
 struct Scale {
@@ -132,18 +132,17 @@ Html legend(const Comparison& c) {
 
 Html pdf_figures(const Comparison& c) {
   Html out;
-  for (std::size_t m = 0; m < kMetrics; ++m) {
-    const MetricInfo& info = kMetricInfo[m];
+  for (std::size_t m = 0; m < c.columns.size(); ++m) {
+    const std::string name = c.columns[m].name(), symbol = c.columns[m].symbol();
     const std::string remark = counts(c, m) ? fmt::format("weight {}", fixed(c.weights[m], 3)) : "left out: " + why_left_out(c, m);
     if (c.recording[m].histogram.samples == 0) {
-      out +=
-          Html{fmt::format("<figure><h3>{} {}</h3><p class=\"note\">No samples in this recording.</p></figure>\n", info.name, info.symbol)};
+      out += Html{fmt::format("<figure><h3>{} {}</h3><p class=\"note\">No samples in this recording.</p></figure>\n", name, symbol)};
       continue;
     }
     out += Html{fmt::format(
         "<figure><h3>{0} {1}</h3><div class=\"canvas\"><canvas id=\"pdf-{2}\" role=\"img\" "
         "aria-label=\"Density of the {0} in the recording and in every model\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
-        info.name, info.symbol, info.key, html_escaped(remark))};
+        name, symbol, c.columns[m].key(), html_escaped(remark))};
   }
   return out;
 }
@@ -168,8 +167,8 @@ Html pdf_note(const Comparison& c) {
 Html moments(const Comparison& c) {
   HtmlTable table("Mean and standard deviation: of the recording, and of every model as a multiple of it");
   Cells head = {column("model"), column("")};
-  for (std::size_t m = 0; m < kMetrics; ++m)
-    head.push_back(column(fmt::format("{} [{}]", bracketed(c, m), metric_unit(m, c.data.unit)), true, !counts(c, m)));
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    head.push_back(column(fmt::format("{} [{}]", bracketed(c, m), metric_unit(c.columns[m].metric, c.data.unit)), true, !counts(c, m)));
   table.head(head);
   Cells mean = {name_cell(markup("recording")), text_cell("mean")}, sd = {text_cell(""), text_cell("sd")};
   metric_columns(c, mean, [&](std::size_t m) { return rounded(c.recording[m].moments.mean); });
@@ -190,7 +189,7 @@ Html weights(const Comparison& c) {
   Cells head = {column("")};
   metric_heads(c, head);
   table.head(head);
-  const auto row = [&](const Html& title, const PerMetric<double>& values) {
+  const auto row = [&](const Html& title, const PerColumn<double>& values) {
     Cells cells = {name_cell(title)};
     metric_columns(c, cells, [&](std::size_t m) { return rounded(values[m]); });
     table.row(cells);
@@ -200,6 +199,20 @@ Html weights(const Comparison& c) {
   row(markup("p2 (range)"), c.p2);
   for (const WeightStep& step : c.weight_history) row(escaped(fmt::format("weight, pass {}", step.pass)), step.weights);
   return table.html();
+}
+
+Html lags(const Comparison& c) {
+  Html out = element("p", "note", escaped(lag_weights(c) + lags_measured(c)));
+  if (c.lags.size() < 3) return out;
+  HtmlTable table("Which lag carried the decision");
+  table.head({column("lag", true), column("over", true), column("columns in the score", true), column("weight", true),
+              column("largest share of localisation error", true)});
+  for (const LagFacts& l : c.lags)
+    table.row({number_cell(l.lag > 0 ? std::to_string(l.lag) : "d, η"),
+               number_cell(l.lag > 0 ? fmt::format("{} s", brief(l.lag * c.data.dt)) : kUndefined), number_cell(std::to_string(l.scored)),
+               number_cell(fixed(l.weight, 3)), number_cell(percent(l.error_share))});
+  out += table.html();
+  return out;
 }
 
 Html weights_converged(const Comparison& c) {

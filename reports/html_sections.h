@@ -12,10 +12,11 @@ Html data_facts(const Comparison&);
 Html warnings(const Comparison&);  // nothing if there are none
 Html ranking(const Comparison&);
 Html legend(const Comparison&);       // check boxes of the charts
-Html pdf_figures(const Comparison&);  // seven empty canvases
+Html pdf_figures(const Comparison&);  // an empty canvas per column
 Html pdf_note(const Comparison&);
 Html moments(const Comparison&);  // mean and sd of every model against the recording
 Html weights(const Comparison&);
+Html lags(const Comparison&);  // which lag carried the decision
 Html weights_converged(const Comparison&);
 Html parameters(const Comparison&);
 Html search(const Comparison&);

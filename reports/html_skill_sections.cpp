@@ -24,7 +24,7 @@ double in_errors(const Estimate& model, const Estimate& recording) {
 template <class Text>
 void metric_row(HtmlTable& table, const Comparison& c, const Html& title, Text text) {
   Cells cells = {name_cell(title)};
-  for (std::size_t m = 0; m < kMetrics; ++m) cells.push_back(number_cell(text(m), !counts(c, m)));
+  for (std::size_t m = 0; m < c.columns.size(); ++m) cells.push_back(number_cell(text(m), !counts(c, m)));
   table.row(cells);
 }
 
@@ -41,7 +41,7 @@ std::string interaction_text(const SkillFacts& s) {
 Html skill(const Comparison& c) {
   HtmlTable table("Distance to the recording (total variation, 0 to 1), half against half");
   Cells head = {column("")};
-  for (std::size_t m = 0; m < kMetrics; ++m) head.push_back(column(kMetricInfo[m].symbol, true, !counts(c, m)));
+  for (std::size_t m = 0; m < c.columns.size(); ++m) head.push_back(column(c.columns[m].symbol(), true, !counts(c, m)));
   table.head(head);
   const SkillFacts& s = c.skill;
   metric_row(table, c, markup("recording against itself (floor)"), [&](std::size_t m) { return fixed(s.floor[m], 3); });

@@ -10,34 +10,33 @@ namespace swarmfit {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Columns = std::vector<Column>;
 
 std::string text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-template <class T>
-Json per_metric(const PerMetric<T>& values) {
+// One value per column, picked out of something that may hold more.
+template <class T, class Pick>
+Json per_column(const Columns& columns, const PerColumn<T>& values, Pick pick) {
   Json out = Json::object();
-  for (std::size_t m = 0; m < kMetrics; ++m) out[std::string(kMetricInfo[m].key)] = values[m];
+  for (std::size_t j = 0; j < columns.size(); ++j) out[columns[j].key()] = pick(values[j]);
   return out;
 }
 
-// One value per metric, picked out of something that holds more.
-template <class T, class Pick>
-Json per_metric(const PerMetric<T>& values, Pick pick) {
-  Json out = Json::object();
-  for (std::size_t m = 0; m < kMetrics; ++m) out[std::string(kMetricInfo[m].key)] = pick(values[m]);
-  return out;
+template <class T>
+Json per_column(const Columns& columns, const PerColumn<T>& values) {
+  return per_column(columns, values, [](const T& value) { return value; });
 }
 
 Json array(const Eigen::Array3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
-Json samples(const PerMetric<Distribution>& d) {
-  return per_metric(d, [](const Distribution& x) { return x.histogram.samples; });
+Json samples(const Columns& columns, const PerColumn<Distribution>& d) {
+  return per_column(columns, d, [](const Distribution& x) { return x.histogram.samples; });
 }
-Json means(const PerMetric<Distribution>& d) {
-  return per_metric(d, [](const Distribution& x) { return x.moments.mean; });
+Json means(const Columns& columns, const PerColumn<Distribution>& d) {
+  return per_column(columns, d, [](const Distribution& x) { return x.moments.mean; });
 }
-Json sds(const PerMetric<Distribution>& d) {
-  return per_metric(d, [](const Distribution& x) { return x.moments.sd(); });
+Json sds(const Columns& columns, const PerColumn<Distribution>& d) {
+  return per_column(columns, d, [](const Distribution& x) { return x.moments.sd(); });
 }
 
 const char* name(Normalisation normalisation) {
@@ -79,10 +78,29 @@ Json search_size(const SearchSize& s) {
   return {{"population", s.population}, {"generations", s.generations}, {"replicates", s.replicates}};
 }
 
-Json observation(const ObservationFacts& o) {
-  return {{"error_source", o.error_source}, {"sigma", array(o.sigma)},         {"white", o.white},
-          {"smoothing", o.smoothing},       {"velocity", o.velocity},          {"error_share", per_metric(o.error_share)},
-          {"used", per_metric(o.used)},     {"why_not", per_metric(o.why_not)}};
+Json observation(const Columns& columns, const ObservationFacts& o) {
+  return {{"error_source", o.error_source},
+          {"sigma", array(o.sigma)},
+          {"white", o.white},
+          {"smoothing", o.smoothing},
+          {"velocity", o.velocity},
+          {"error_share", per_column(columns, o.error_share)},
+          {"used", per_column(columns, o.used)},
+          {"why_not", per_column(columns, o.why_not)},
+          {"longest_lag", o.longest_lag}};
+}
+
+Json lags(const Comparison& c) {
+  Json out = Json::array();
+  for (const LagFacts& l : c.lags) {
+    const bool none = l.lag == 0;
+    out.push_back({{"lag", none ? Json() : Json(l.lag)},
+                   {"seconds", none ? Json() : Json(l.lag * c.data.dt)},
+                   {"scored", l.scored},
+                   {"weight", l.weight},
+                   {"error_share", l.error_share}});
+  }
+  return out;
 }
 
 Json binning(const Comparison& c) {
@@ -90,18 +108,18 @@ Json binning(const Comparison& c) {
           {"interval", {c.binning.lower, c.binning.upper}},
           {"bins", c.binning.bins},
           {"clip", c.binning.clip},
-          {"axis_lower", per_metric(c.axis_lower)},
-          {"axis_width", per_metric(c.axis_width)},
-          {"defined", per_metric(c.defined)}};
+          {"axis_lower", per_column(c.columns, c.axis_lower)},
+          {"axis_width", per_column(c.columns, c.axis_width)},
+          {"defined", per_column(c.columns, c.defined)}};
 }
 
-Json weight_history(const std::vector<WeightStep>& steps) {
+Json weight_history(const Columns& columns, const std::vector<WeightStep>& steps) {
   Json out = Json::array();
   for (const WeightStep& s : steps)
     out.push_back({{"pass", s.pass},
-                   {"weights", per_metric(s.weights)},
-                   {"p1", per_metric(s.p1)},
-                   {"p2", per_metric(s.p2)},
+                   {"weights", per_column(columns, s.weights)},
+                   {"p1", per_column(columns, s.p1)},
+                   {"p2", per_column(columns, s.p2)},
                    {"largest_change", s.largest_change}});
   return out;
 }
@@ -129,18 +147,18 @@ Json convergence(const std::vector<ConvergencePoint>& points) {
   return out;
 }
 
-Json model(const FitResult& r) {
+Json model(const Columns& columns, const FitResult& r) {
   Json replicates = Json::array();
-  for (const Energies& e : r.replicate_energies) replicates.push_back(per_metric(e));
+  for (const Energies& e : r.replicate_energies) replicates.push_back(per_column(columns, e));
   return {{"name", r.model},
           {"rank", r.rank > 0 ? Json(r.rank) : Json()},
           {"score", r.score},
           {"score_se", r.score_se},
           {"score_ci", {r.score - 1.96 * r.score_se, r.score + 1.96 * r.score_se}},
-          {"raw_energies", per_metric(r.raw_energies)},
-          {"raw_energies_se", per_metric(r.raw_se)},
-          {"energies", per_metric(r.energies)},
-          {"half_step_energies", per_metric(r.half_step_energies)},
+          {"raw_energies", per_column(columns, r.raw_energies)},
+          {"raw_energies_se", per_column(columns, r.raw_se)},
+          {"energies", per_column(columns, r.energies)},
+          {"half_step_energies", per_column(columns, r.half_step_energies)},
           {"replicate_energies", std::move(replicates)},
           {"parameters", parameters(r.parameters)},
           {"n_parameters", names(r.parameters, [](const ParameterResult& p) { return p.fitted; }).size()},
@@ -148,10 +166,10 @@ Json model(const FitResult& r) {
           {"options", r.options},
           {"summary", r.summary},
           {"citation", r.citation},
-          {"mean_ratio", per_metric(r.mean_ratio)},
-          {"sd_ratio", per_metric(r.sd_ratio)},
-          {"outside_fraction", per_metric(r.outside_fraction)},
-          {"samples", samples(r.distributions)},
+          {"mean_ratio", per_column(columns, r.mean_ratio)},
+          {"sd_ratio", per_column(columns, r.sd_ratio)},
+          {"outside_fraction", per_column(columns, r.outside_fraction)},
+          {"samples", samples(columns, r.distributions)},
           {"extent", r.extent},
           {"spacing", r.spacing},
           {"speed", r.speed},
@@ -180,37 +198,40 @@ Json config(const std::vector<std::pair<std::string, std::string>>& settings) {
 std::string to_json(const Comparison& c) {
   Json models = Json::array();
   for (const FitResult& r : c.models) {
-    models.push_back(model(r));
-    add_skill(models.back(), r, c.panel);
+    models.push_back(model(c.columns, r));
+    add_skill(models.back(), r, c);
   }
-  Json full = {{"schema", "swarmfit-results/1"},
-               {"version", c.version},
-               {"command", c.command},
-               {"seed", c.seed},
-               {"protocol", c.protocol},
-               {"common_parameters", c.common},
-               {"budget",
-                {{"name", c.budget.name},
-                 {"search", search_size(c.budget.search)},
-                 {"selection", search_size(c.budget.selection)},
-                 {"confirmation_replicates", c.budget.confirmation_replicates},
-                 {"final_replicates", c.budget.final_replicates},
-                 {"passes", c.budget.passes}}},
-               {"presence", c.observation.presence},
-               {"arena", c.observation.arena},
-               {"unseen_individuals", c.observation.unseen},
-               {"data", data(c.data)},
-               {"observation", observation(c.observation)},
-               {"binning", binning(c)},
-               {"recording", {{"samples", samples(c.recording)}, {"mean", means(c.recording)}, {"sd", sds(c.recording)}}},
-               {"weights", per_metric(c.weights)},
-               {"p1", per_metric(c.p1)},
-               {"p2", per_metric(c.p2)},
-               {"weights_converged", c.weights_converged},
-               {"weight_history", weight_history(c.weight_history)},
-               {"models", std::move(models)},
-               {"warnings", c.warnings},
-               {"config", config(c.config)}};
+  Json full = {
+      {"schema", "swarmfit-results/1"},
+      {"version", c.version},
+      {"command", c.command},
+      {"seed", c.seed},
+      {"protocol", c.protocol},
+       {"common_parameters", c.common},
+      {"budget",
+       {{"name", c.budget.name},
+        {"search", search_size(c.budget.search)},
+        {"selection", search_size(c.budget.selection)},
+        {"confirmation_replicates", c.budget.confirmation_replicates},
+        {"final_replicates", c.budget.final_replicates},
+        {"passes", c.budget.passes}}},
+      {"presence", c.observation.presence},
+      {"arena", c.observation.arena},
+      {"unseen_individuals", c.observation.unseen},
+      {"data", data(c.data)},
+      {"observation", observation(c.columns, c.observation)},
+      {"binning", binning(c)},
+      {"recording",
+       {{"samples", samples(c.columns, c.recording)}, {"mean", means(c.columns, c.recording)}, {"sd", sds(c.columns, c.recording)}}},
+      {"lags", lags(c)},
+      {"weights", per_column(c.columns, c.weights)},
+      {"p1", per_column(c.columns, c.p1)},
+      {"p2", per_column(c.columns, c.p2)},
+      {"weights_converged", c.weights_converged},
+      {"weight_history", weight_history(c.columns, c.weight_history)},
+      {"models", std::move(models)},
+      {"warnings", c.warnings},
+      {"config", config(c.config)}};
   add_skill(full, c);
   return text(full);
 }
@@ -230,14 +251,14 @@ Json order(const OrderMeans& o) { return {{"polarisation", o.polarisation}, {"mi
 // The same fact of recording and simulation, per metric.
 template <class Fact>
 Json both(const Evaluation& e, Fact fact) {
-  return {{"real", fact(e.real_distribution)}, {"simulated", fact(e.simulated_distribution)}};
+  return {{"real", fact(e.columns, e.real_distribution)}, {"simulated", fact(e.columns, e.simulated_distribution)}};
 }
 
 Json ratios(const Evaluation& e, double (*moment)(const Moments&)) {
-  PerMetric<double> ratio{};
-  for (std::size_t m = 0; m < kMetrics; ++m)
+  PerColumn<double> ratio(e.columns.size());
+  for (std::size_t m = 0; m < ratio.size(); ++m)
     ratio[m] = moment(e.simulated_distribution[m].moments) / moment(e.real_distribution[m].moments);
-  return per_metric(ratio);
+  return per_column(e.columns, ratio);
 }
 
 }  // namespace
@@ -250,9 +271,10 @@ std::string to_json(const Evaluation& e) {
                {"bins", e.binning.bins},
                {"interval", {e.binning.lower, e.binning.upper}},
                {"clip", e.binning.clip},
-               {"axis_lower", per_metric(e.axis_lower)},
-               {"axis_width", per_metric(e.axis_width)},
-               {"raw_energies", per_metric(e.raw_energies)},
+               {"lags", lags_of(e.columns)},
+               {"axis_lower", per_column(e.columns, e.axis_lower)},
+               {"axis_width", per_column(e.columns, e.axis_width)},
+               {"raw_energies", per_column(e.columns, e.raw_energies)},
                {"samples", both(e, samples)},
                {"means", both(e, means)},
                {"sds", both(e, sds)},

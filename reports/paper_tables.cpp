@@ -18,14 +18,14 @@ namespace {
 using Row = std::vector<std::string>;
 
 Row metric_head(const Comparison& c, Row head) {
-  for (std::size_t m = 0; m < kMetrics; ++m) head.emplace_back(std::string(kMetricInfo[m].symbol) + (counts(c, m) ? "" : " (not scored)"));
+  for (std::size_t m = 0; m < c.columns.size(); ++m) head.push_back(c.columns[m].symbol() + (counts(c, m) ? "" : " (not scored)"));
   return head;
 }
 
 template <class Value>
-Row metric_row(std::string name, Value&& value) {
+Row metric_row(const Comparison& c, std::string name, Value&& value) {
   Row row{std::move(name)};
-  for (std::size_t m = 0; m < kMetrics; ++m) row.push_back(value(m));
+  for (std::size_t m = 0; m < c.columns.size(); ++m) row.push_back(value(m));
   return row;
 }
 
@@ -64,20 +64,20 @@ PaperTable energies(const Comparison& c) {
                metric_head(c, {"model"}),
                {}};
   for (const FitResult& r : c.models)
-    t.rows.push_back(metric_row(r.model, [&](std::size_t m) { return with_error(r.raw_energies[m], r.raw_se[m], 3); }));
-  t.rows.push_back(metric_row("p1", [&](std::size_t m) { return fixed(c.p1[m], 4); }));
-  t.rows.push_back(metric_row("p2", [&](std::size_t m) { return fixed(c.p2[m], 4); }));
+    t.rows.push_back(metric_row(c, r.model, [&](std::size_t m) { return with_error(r.raw_energies[m], r.raw_se[m], 3); }));
+  t.rows.push_back(metric_row(c, "p1", [&](std::size_t m) { return fixed(c.p1[m], 4); }));
+  t.rows.push_back(metric_row(c, "p2", [&](std::size_t m) { return fixed(c.p2[m], 4); }));
   return t;
 }
 
 PaperTable weights(const Comparison& c) {
   PaperTable t{"weights",
-               "Entropy weights of the metrics, by pass of the calibration; the last row is used. " + origin(c),
+               "Entropy weights of the metrics, by pass of the calibration; the last row is used. " + lag_weights(c) + origin(c),
                metric_head(c, {"pass"}),
                {}};
   for (const WeightStep& s : c.weight_history)
-    t.rows.push_back(metric_row(std::to_string(s.pass), [&](std::size_t m) { return fixed(s.weights[m], 4); }));
-  t.rows.push_back(metric_row("final", [&](std::size_t m) { return fixed(c.weights[m], 4); }));
+    t.rows.push_back(metric_row(c, std::to_string(s.pass), [&](std::size_t m) { return fixed(s.weights[m], 4); }));
+  t.rows.push_back(metric_row(c, "final", [&](std::size_t m) { return fixed(c.weights[m], 4); }));
   return t;
 }
 
@@ -100,7 +100,7 @@ PaperTable sensitivity(const Comparison& c) {
       metric_head(c, {"model", "all"}),
       {}};
   for (const FitResult& r : c.models) {
-    Row row = metric_row(r.model, [&](std::size_t m) {
+    Row row = metric_row(c, r.model, [&](std::size_t m) {
       const Sensitivity& s = r.sensitivity;
       return std::isfinite(s.without[m]) ? fmt::format("{} ({})", fixed(s.without[m], 3), s.rank_without[m]) : kUndefined;
     });

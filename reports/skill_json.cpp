@@ -11,9 +11,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <class T>
-Json per_metric(const PerMetric<T>& values) {
+Json per_column(const Comparison& c, const PerColumn<T>& values) {
   Json out = Json::object();
-  for (std::size_t m = 0; m < kMetrics; ++m) out[std::string(kMetricInfo[m].key)] = values[m];
+  for (std::size_t j = 0; j < c.columns.size(); ++j) out[c.columns[j].key()] = values[j];
   return out;
 }
 
@@ -29,13 +29,13 @@ Json curve(const std::vector<Estimate>& values) {
   return {{"value", std::move(value)}, {"se", std::move(se)}};
 }
 
-Json leave_one_out(const std::vector<LeftOut>& all) {
+Json leave_one_out(const Comparison& c) {
   Json out = Json::array();
-  for (const LeftOut& w : all) {
+  for (const LeftOut& w : c.without) {
     Json ranking = Json::array();
     for (const auto& [model, score] : w.ranking) ranking.push_back({{"name", model}, {"score", score}});
     out.push_back({{"without", w.model},
-                   {"weights", per_metric(w.weights)},
+                   {"weights", per_column(c, w.weights)},
                    {"ranking", std::move(ranking)},
                    {"reordered", w.reordered},
                    {"winner_changed", w.winner_changed}});
@@ -47,13 +47,13 @@ Json leave_one_out(const std::vector<LeftOut>& all) {
 
 void add_skill(Json& top, const Comparison& c) {
   const SkillFacts& s = c.skill;
-  top["floor"] = per_metric(s.floor);
-  top["floor_sd"] = per_metric(s.floor_sd);
-  top["null"] = per_metric(s.null);
-  top["informative"] = per_metric(s.informative);
-  top["skill_scale"] = {{"floor", s.mean_floor}, {"null", s.mean_null}, {"used", per_metric(s.used)}};
+  top["floor"] = per_column(c, s.floor);
+  top["floor_sd"] = per_column(c, s.floor_sd);
+  top["null"] = per_column(c, s.null);
+  top["informative"] = per_column(c, s.informative);
+  top["skill_scale"] = {{"floor", s.mean_floor}, {"null", s.mean_null}, {"used", per_column(c, s.used)}};
   top["interaction"] = {{"p", {{"d", s.interaction_p[0]}, {"eta", s.interaction_p[1]}}}, {"surrogates", s.surrogates}};
-  top["leave_one_out"] = leave_one_out(c.without);
+  top["leave_one_out"] = leave_one_out(c);
   Json units = Json::object();
   for (const PanelItem& item : c.panel.items) units[item.key] = {{"name", item.name}, {"unit", panel_unit(item, c.data.unit)}};
   top["observables"] = {{"items", std::move(units)},
@@ -62,13 +62,13 @@ void add_skill(Json& top, const Comparison& c) {
                         {"vacf", curve(c.panel.recording_vacf)}};
 }
 
-void add_skill(Json& model, const FitResult& r, const PanelFacts& panel) {
+void add_skill(Json& model, const FitResult& r, const Comparison& c) {
   model["skill"] = r.skill.value;
   model["skill_se"] = r.skill.se;
   model["skill_ci"] = {r.skill.value - 1.96 * r.skill.se, r.skill.value + 1.96 * r.skill.se};
-  model["total_variation"] = per_metric(r.total_variation);
-  model["wasserstein"] = per_metric(r.wasserstein);
-  model["observables"] = observables(panel, r.panel);
+  model["total_variation"] = per_column(c, r.total_variation);
+  model["wasserstein"] = per_column(c, r.wasserstein);
+  model["observables"] = observables(c.panel, r.panel);
   model["vacf"] = curve(r.vacf);
 }
 

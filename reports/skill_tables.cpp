@@ -31,10 +31,10 @@ std::string skill(const Comparison& c) {
   const SkillFacts& s = c.skill;
   for (const FitResult& r : c.models) {
     double mean = 0, number = 0;
-    for (std::size_t m = 0; m < kMetrics; ++m) {
+    for (std::size_t m = 0; m < c.columns.size(); ++m) {
       if (s.used[m]) mean += r.total_variation[m], ++number;
       Line line;
-      line.add(r.model).add(kMetricInfo[m].key).add(s.used[m] ? "true" : "false").add(r.total_variation[m]).add(r.wasserstein[m]);
+      line.add(r.model).add(c.columns[m].key()).add(s.used[m] ? "true" : "false").add(r.total_variation[m]).add(r.wasserstein[m]);
       line.add(s.floor[m]).add(s.floor_sd[m]).add(s.null[m]).add(s.informative[m] ? "true" : "false").add("").add("");
       out += line.end();
     }

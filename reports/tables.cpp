@@ -57,8 +57,8 @@ std::string ranking(const Comparison& c) {
 std::string energies(const Comparison& c) {
   Csv csv = with_header({"model", "metric", "raw", "raw_se", "normalised", "half_step", "mean_ratio", "sd_ratio", "outside_fraction"});
   for (const FitResult& r : c.models) {
-    for (std::size_t m = 0; m < kMetrics; ++m) {
-      csv.field(r.model).field(kMetricInfo[m].key).field(r.raw_energies[m]).field(r.raw_se[m]).field(r.energies[m]);
+    for (std::size_t m = 0; m < c.columns.size(); ++m) {
+      csv.field(r.model).field(c.columns[m].key()).field(r.raw_energies[m]).field(r.raw_se[m]).field(r.energies[m]);
       csv.field(r.half_step_energies[m]).field(r.mean_ratio[m]).field(r.sd_ratio[m]).field(r.outside_fraction[m]).end();
     }
   }
@@ -68,12 +68,12 @@ std::string energies(const Comparison& c) {
 std::string raw_energies(const Comparison& c) {
   Csv csv;
   csv.field("model");
-  for (std::size_t m = 0; m < kMetrics; ++m)
-    if (counts(c, m)) csv.field(kMetricInfo[m].key);
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    if (counts(c, m)) csv.field(c.columns[m].key());
   csv.end();
   for (const FitResult& r : c.models) {
     csv.field(r.model);
-    for (std::size_t m = 0; m < kMetrics; ++m)
+    for (std::size_t m = 0; m < c.columns.size(); ++m)
       if (counts(c, m)) csv.field(r.raw_energies[m]);
     csv.end();
   }
@@ -83,22 +83,34 @@ std::string raw_energies(const Comparison& c) {
 std::string weights(const Comparison& c) {
   Csv csv = with_header({"pass", "metric", "weight", "p1", "p2", "largest_change"});
   for (const WeightStep& s : c.weight_history)
-    for (std::size_t m = 0; m < kMetrics; ++m)
+    for (std::size_t m = 0; m < c.columns.size(); ++m)
       csv.field(std::int64_t{s.pass})
-          .field(kMetricInfo[m].key)
+          .field(c.columns[m].key())
           .field(s.weights[m])
           .field(s.p1[m])
           .field(s.p2[m])
           .field(s.largest_change)
           .end();
-  for (std::size_t m = 0; m < kMetrics; ++m)
-    csv.field("final").field(kMetricInfo[m].key).field(c.weights[m]).field(c.p1[m]).field(c.p2[m]).field("").end();
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    csv.field("final").field(c.columns[m].key()).field(c.weights[m]).field(c.p1[m]).field(c.p2[m]).field("").end();
+  return csv.take();
+}
+
+std::string lags(const Comparison& c) {
+  Csv csv = with_header({"lag", "seconds", "columns_scored", "weight", "largest_error_share"});
+  for (const LagFacts& l : c.lags) {
+    if (l.lag > 0)
+      csv.field(std::int64_t{l.lag}).field(l.lag * c.data.dt);
+    else
+      csv.field("none").field("");
+    csv.field(std::int64_t{l.scored}).field(l.weight).field(l.error_share).end();
+  }
   return csv.take();
 }
 
 std::string normalisation(const Comparison& c) {
   Csv csv = with_header({"metric", "p1", "p2"});
-  for (std::size_t m = 0; m < kMetrics; ++m) csv.field(kMetricInfo[m].key).field(c.p1[m]).field(c.p2[m]).end();
+  for (std::size_t m = 0; m < c.columns.size(); ++m) csv.field(c.columns[m].key()).field(c.p1[m]).field(c.p2[m]).end();
   return csv.take();
 }
 
@@ -116,9 +128,9 @@ std::string parameters(const Comparison& c) {
 std::string sensitivity(const Comparison& c) {
   Csv csv = with_header({"model", "metric", "weight", "score", "score_without", "rank", "rank_without", "score_doubled"});
   for (const FitResult& r : c.models) {
-    for (std::size_t m = 0; m < kMetrics; ++m) {
+    for (std::size_t m = 0; m < c.columns.size(); ++m) {
       const Sensitivity& s = r.sensitivity;
-      csv.field(r.model).field(kMetricInfo[m].key).field(c.weights[m]).field(r.score).field(s.without[m]);
+      csv.field(r.model).field(c.columns[m].key()).field(c.weights[m]).field(r.score).field(s.without[m]);
       csv.field(rank_text(r.rank)).field(rank_text(s.rank_without[m])).field(s.doubled[m]).end();
     }
   }
@@ -130,12 +142,12 @@ std::string pdfs(const Comparison& c) {
   csv.fields({"metric", "unit", "centre", "recording"});
   for (const FitResult& r : c.models) csv.field(r.model);
   csv.end();
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+  for (std::size_t m = 0; m < c.columns.size(); ++m) {
     std::vector<std::vector<double>> columns = {physical_density(c.recording[m].histogram, c.axis_width[m])};
     for (const FitResult& r : c.models) columns.push_back(physical_density(r.distributions[m].histogram, c.axis_width[m]));
     for (std::size_t bin = 0; bin < c.recording[m].histogram.counts.size(); ++bin) {
       const double centre = c.axis_lower[m] + (static_cast<double>(bin) + 0.5) * c.axis_width[m];
-      csv.field(kMetricInfo[m].key).field(metric_unit(m, c.data.unit)).field(centre);
+      csv.field(c.columns[m].key()).field(metric_unit(c.columns[m].metric, c.data.unit)).field(centre);
       for (const auto& column : columns) csv.field(bin < column.size() ? exact(column[bin]) : std::string());
       csv.end();
     }
@@ -180,7 +192,8 @@ std::vector<NamedTable> result_tables(const Comparison& c) {
   std::vector<NamedTable> out = {
       {"ranking.csv", ranking(c)}, {"energies.csv", energies(c)},           {"raw_energies.csv", raw_energies(c)},
       {"weights.csv", weights(c)}, {"normalisation.csv", normalisation(c)}, {"parameters.csv", parameters(c)},
-      {"pdfs.csv", pdfs(c)},       {"convergence.csv", convergence(c)},     {"sensitivity.csv", sensitivity(c)}};
+      {"pdfs.csv", pdfs(c)},       {"convergence.csv", convergence(c)},     {"sensitivity.csv", sensitivity(c)},
+      {"lags.csv", lags(c)}};
   for (NamedTable& table : skill_tables(c)) out.push_back(std::move(table));
   return out;
 }
@@ -188,7 +201,7 @@ std::vector<NamedTable> result_tables(const Comparison& c) {
 std::string history_csv(const Comparison& c) {
   Csv csv;
   csv.fields({"model", "pass", "phase", "failed"});
-  for (const MetricInfo& info : kMetricInfo) csv.field(info.key);
+  for (const Column& column : c.columns) csv.field(column.key());
   csv.field("parameters").end();
   for (const HistoryRow& row : c.history) {
     csv.field(c.named.at(row.model)).field(std::int64_t{row.pass}).field(row.phase).field(std::int64_t{row.failed});

@@ -16,11 +16,12 @@ struct NamedTable {
   std::string csv;
 };
 
-// The files of tables/ in a run directory:
+// The files of tables/ in a run directory; a metric at another lag than 1 is a metric of its own, "v@4":
 //   ranking.csv        one row per model: rank, score, its standard error, counts of runs, stop reason
 //   energies.csv       one row per model and metric: raw, its standard error, normalised, at half the time step, moment ratios
 //   raw_energies.csv   rows models, columns metrics that count in the score: what `swarmfit weigh` takes
 //   weights.csv        one row per calibration pass and metric, the final weights as pass "final"
+//   lags.csv           one row per lag, and one for the columns without: how many are scored, their weight, the largest share of error
 //   normalisation.csv  p1 and p2 per metric
 //   parameters.csv     one row per model and parameter, physical units
 //   pdfs.csv           one row per metric and bin: centre in physical units, density of the recording and of every model, per unit
@@ -29,7 +30,7 @@ struct NamedTable {
 //   and those of reports/skill_tables.h
 std::vector<NamedTable> result_tables(const Comparison&);
 
-// Every candidate that was simulated: model, pass, phase, failed replicates, seven raw energies, parameters as "name=value;...".
+// Every candidate that was simulated: model, pass, phase, failed replicates, raw energies, parameters as "name=value;...".
 std::string history_csv(const Comparison&);
 
 // A field as RFC 4180 wants it: in quotes, with quotes doubled, if it holds a comma, a quote or a line break.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "libeval/lags.h"
 #include "reports/number.h"
 #include "reports/words.h"
 
@@ -19,9 +20,7 @@ constexpr std::size_t kWidth = 100;
 
 std::string finish(std::string text, TextStyle style) { return style.unicode ? std::move(text) : ascii(text); }
 
-std::string metric_symbol(std::size_t m, TextStyle style) {
-  return std::string(style.unicode ? kMetricInfo[m].symbol : kMetricInfo[m].key);
-}
+std::string symbol_of(const Column& column, TextStyle style) { return style.unicode ? column.symbol() : column.key(); }
 
 std::string plus_minus(double value, double se, int decimals, TextStyle style) {
   if (!std::isfinite(value)) return kUndefined;
@@ -48,32 +47,48 @@ std::string data_line(const DataFacts& d) {
                      brief(d.dt), brief(d.individuals_per_frame, 3));
 }
 
-TextTable ranking_table(const Comparison& c, TextStyle style) {
-  std::vector<Align> align = {Align::right, Align::left, Align::right, Align::right};
-  align.insert(align.end(), kMetrics, Align::right);
+// The columns of one lag, as many as fit on a line: those of the first with d and eta, beside the scores; those of any other alone.
+TextTable ranking_table(const Comparison& c, std::size_t first, TextStyle style) {
+  const bool scores = first == 0;
+  const std::size_t count = std::min(scores ? kMetrics : kMotionMetrics, c.columns.size() - first);
+  std::vector<Align> align = {Align::right, Align::left};
+  align.insert(align.end(), count + (scores ? 2 : 0), Align::right);
   TextTable table(align, style);
 
-  std::vector<std::string> head = {"rank", "model", "score ± se", "skill"};
-  for (std::size_t m = 0; m < kMetrics; ++m) head.push_back(counts(c, m) ? metric_symbol(m, style) : '(' + metric_symbol(m, style) + ')');
+  std::vector<std::string> head = {"rank", "model"}, weights = {"", "weight in score"};
+  if (scores) head.insert(head.end(), {"score ± se", "skill"}), weights.resize(4);
+  for (std::size_t m = first; m < first + count; ++m) {
+    const std::string symbol = symbol_of(c.columns[m], style);
+    head.push_back(counts(c, m) ? symbol : '(' + symbol + ')');
+    weights.push_back(counts(c, m) ? fixed(c.weights[m], 2) : kUndefined);
+  }
   table.row(head, Paint::bold);
 
   for (const FitResult& r : c.models) {
-    std::vector<std::string> cells = {r.rank > 0 ? std::to_string(r.rank) : kUndefined, r.model + (at_bounds(r).empty() ? "" : " *"),
-                                      plus_minus(r.score, r.score_se, 3, style), fixed(r.skill.value, 2)};
-    for (const double energy : r.raw_energies) cells.push_back(fixed(energy, 2));
+    std::vector<std::string> cells = {r.rank > 0 ? std::to_string(r.rank) : kUndefined, r.model + (at_bounds(r).empty() ? "" : " *")};
+    if (scores) cells.insert(cells.end(), {plus_minus(r.score, r.score_se, 3, style), fixed(r.skill.value, 2)});
+    for (std::size_t m = first; m < first + count; ++m) cells.push_back(fixed(r.raw_energies[m], 2));
     table.row(cells, r.rank == 1 ? Paint::good : Paint::plain);
   }
-
-  std::vector<std::string> weights = {"", "weight in score", "", ""};
-  for (std::size_t m = 0; m < kMetrics; ++m) weights.push_back(counts(c, m) ? fixed(c.weights[m], 2) : kUndefined);
   table.row(weights, Paint::dim);
   return table;
 }
 
+std::string ranking_tables(const Comparison& c, TextStyle style) {
+  std::string out;
+  for (std::size_t first = 0; first < c.columns.size(); first += first == 0 ? kMetrics : kMotionMetrics) {
+    const TextTable table = ranking_table(c, first, style);
+    std::string over = fmt::format("raw energy (0 alike .. {} disjoint)", brief(worst_energy(c.binning)));
+    if (first > 0) over = fmt::format("raw energy at lag {}, {} s", c.columns[first].lag, brief(c.columns[first].lag * c.data.dt));
+    out += std::string(table.column_start(first == 0 ? 4 : 2), ' ') + paint(over, Paint::dim, style) + '\n' + table.text();
+  }
+  return out;
+}
+
 std::vector<std::string> left_out(const Comparison& c, TextStyle style) {
   std::vector<std::string> out;
-  for (std::size_t m = 0; m < kMetrics; ++m)
-    if (!counts(c, m)) out.push_back(fmt::format("({}) {}: {}", metric_symbol(m, style), kMetricInfo[m].name, why_left_out(c, m)));
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    if (!counts(c, m)) out.push_back(fmt::format("({}) {}: {}", symbol_of(c.columns[m], style), c.columns[m].name(), why_left_out(c, m)));
   return out;
 }
 
@@ -133,12 +148,11 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   out += paint(wrapped(printable(answer.sentence), kWidth), Paint::bold, style) + '\n';
   out += paragraph(answer.detail) + '\n';
 
-  const TextTable table = ranking_table(c, style);
-  const std::string over = fmt::format("raw energy (0 alike .. {} disjoint)", brief(worst_energy(c.binning)));
-  out += std::string(table.column_start(4), ' ') + paint(over, Paint::dim, style) + '\n' + table.text();
+  out += ranking_tables(c, style);
   if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
 
   out += finite_skill(c) ? " skill: 1 as alike as the recording is to itself, 0 no better than its surrogates\n" : "";
+  if (const std::string lags = lag_weights(c) + lags_measured(c); !lags.empty()) out += paragraph(lags, " ");
   out += panel_text(c, style);
 
   out += bullets("In brackets: shown, but left out of the score", left_out(c, style), Paint::bold, style);
@@ -225,12 +239,13 @@ std::string describe_text(const TrackMeta& meta, const Summary& s, TextStyle sty
 std::string evaluation_text(const Evaluation& e, TextStyle style) {
   TextTable t({Align::left, Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left}, style);
   t.row({"", "metric", "energy", "recording", "simulation", "mean ratio", "sd ratio", "unit"}, Paint::bold);
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+  for (std::size_t m = 0; m < e.columns.size(); ++m) {
+    const Column& column = e.columns[m];
     const Moments &real = e.real_distribution[m].moments, &simulated = e.simulated_distribution[m].moments;
     const std::string sign = style.unicode ? " ± " : " +- ";
-    t.row({metric_symbol(m, style), std::string(kMetricInfo[m].name), fixed(e.raw_energies[m], 3),
-           rounded(real.mean) + sign + rounded(real.sd()), rounded(simulated.mean) + sign + rounded(simulated.sd()),
-           rounded(simulated.mean / real.mean), rounded(simulated.sd() / real.sd()), metric_unit(m, e.real.unit)});
+    t.row({symbol_of(column, style), column.name(), fixed(e.raw_energies[m], 3), rounded(real.mean) + sign + rounded(real.sd()),
+           rounded(simulated.mean) + sign + rounded(simulated.sd()), rounded(simulated.mean / real.mean),
+           rounded(simulated.sd() / real.sd()), metric_unit(column.metric, e.real.unit)});
   }
   TextTable order({Align::left, Align::right, Align::right}, style);
   order.row({"mean over frames", "recording", "simulation"}, Paint::bold);
@@ -242,6 +257,8 @@ std::string evaluation_text(const Evaluation& e, TextStyle style) {
   std::string out = fmt::format("recording   {}\nsimulation  {}\n\n", source(e.real), source(e.simulated));
   out += t.text() + '\n' + order.text() + '\n';
   out += paragraph(fmt::format("Energy: 0 for the same distribution, {} for disjoint ones.", brief(worst_energy(e.binning))));
+  out += paragraph(fmt::format("Motion is measured at lag{} {} (frames of {} s).", lags_of(e.columns).size() > 1 ? "s" : "",
+                               lags_text(lags_of(e.columns)), brief(e.real.dt)));
   return finish(std::move(out), style);
 }
 

@@ -19,7 +19,7 @@ namespace swarmfit {
 std::string ranking_text(const Comparison&, TextStyle);
 
 std::string describe_text(const TrackMeta&, const Summary&, TextStyle);  // what is in a recording and what is wrong with it
-std::string evaluation_text(const Evaluation&, TextStyle);               // seven energies and what lies behind them
+std::string evaluation_text(const Evaluation&, TextStyle);               // energies and what lies behind them
 std::string weights_text(const WeighedTable&, TextStyle);                // entropy weights and scores of a table
 std::string list_text(const std::vector<ListEntry>&, TextStyle);         // models, scenarios, formats
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "reports/number.h"
@@ -31,13 +32,14 @@ std::string standard_errors(const Lead& l) {
 
 // The winner's largest raw energy among the metrics that count.
 std::string main_misfit(const Comparison& c, const FitResult& winner) {
-  std::size_t worst = kMetrics;
-  for (std::size_t m = 0; m < kMetrics; ++m) {
+  const std::size_t none = c.columns.size();
+  std::size_t worst = none;
+  for (std::size_t m = 0; m < none; ++m) {
     if (!counts(c, m) || !std::isfinite(winner.raw_energies[m])) continue;
-    if (worst == kMetrics || winner.raw_energies[m] > winner.raw_energies[worst]) worst = m;
+    if (worst == none || winner.raw_energies[m] > winner.raw_energies[worst]) worst = m;
   }
-  if (worst == kMetrics) return {};
-  return fmt::format("Its largest misfit is in the {} (energy {} of at most {}).", kMetricInfo[worst].name,
+  if (worst == none) return {};
+  return fmt::format("Its largest misfit is in the {} (energy {} of at most {}).", c.columns[worst].name(),
                      fixed(winner.raw_energies[worst], 2), brief(worst_energy(c.binning)));
 }
 
@@ -66,6 +68,9 @@ Headline ranked(const Comparison& c, const FitResult& first, const FitResult& se
   return h;
 }
 
+// "lag 8 (0.08 s)"
+std::string lag_name(const Comparison& c, const LagFacts& l) { return fmt::format("lag {} ({} s)", l.lag, brief(l.lag * c.data.dt)); }
+
 std::string power(const std::string& base, int exponent) {
   if (exponent == 1) return base;
   if (exponent == 2) return base + "²";
@@ -93,12 +98,39 @@ Headline headline(const Comparison& c) {
                              : ranked(c, *scored[0], *scored[1], lead(*scored[0], *scored[1]));
 }
 
-bool counts(const Comparison& c, std::size_t metric) { return c.defined[metric] && c.observation.used[metric]; }
+bool counts(const Comparison& c, std::size_t column) { return c.defined[column] && c.observation.used[column]; }
 
-std::string why_left_out(const Comparison& c, std::size_t metric) {
-  if (counts(c, metric)) return {};
-  if (!c.observation.why_not[metric].empty()) return c.observation.why_not[metric];
-  return c.defined[metric] ? "left out by request" : "undefined in the recording";
+std::string why_left_out(const Comparison& c, std::size_t column) {
+  if (counts(c, column)) return {};
+  if (!c.observation.why_not[column].empty()) return c.observation.why_not[column];
+  return c.defined[column] ? "left out by request" : "undefined in the recording";
+}
+
+std::string lags_measured(const Comparison& c) {
+  std::vector<std::string> frames, shares;
+  for (const LagFacts& l : c.lags) {
+    if (l.lag == 0) continue;
+    frames.push_back(lag_name(c, l));
+    if (std::isfinite(l.error_share))
+      shares.push_back(fmt::format("{}{} at lag {}", percent(l.error_share), shares.empty() ? " of a metric's variance" : "", l.lag));
+  }
+  if (frames.empty()) return {};
+  std::string out = fmt::format("Motion is measured at {}.", enumerate(frames));
+  if ((c.observation.sigma > 0).any() && !shares.empty()) out += fmt::format(" Localisation error makes up at most {}.", enumerate(shares));
+  return out;
+}
+
+std::string lag_weights(const Comparison& c) {
+  std::vector<LagFacts> lags = c.lags;
+  std::stable_sort(lags.begin(), lags.end(), [](const LagFacts& a, const LagFacts& b) { return a.weight > b.weight; });
+  std::vector<std::string> parts;
+  for (const LagFacts& l : lags)
+    parts.push_back(fmt::format("{}{} {}{}", l.lag > 0 ? lag_name(c, l) : "what has no lag (d, η)", parts.empty() ? " carried" : "",
+                                percent(l.weight), parts.empty() ? " of the weight" : ""));
+  // One lag and those without: nothing to share out.
+  if (lags.size() < 3 || !(lags.front().weight > 0)) return {};
+  parts.front().front() = static_cast<char>(std::toupper(static_cast<unsigned char>(parts.front().front())));
+  return enumerate(parts) + ". ";
 }
 
 double worst_energy(const Binning& b) { return 2 * b.bins / (b.upper - b.lower); }

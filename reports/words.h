@@ -26,10 +26,15 @@ struct Headline {
 // The standard error of a difference of two scores is sqrt(se1² + se2²): conservative, since replicates share their seeds.
 Headline headline(const Comparison&);
 
-// Does this metric enter the score?
-bool counts(const Comparison&, std::size_t metric);
+// Does this column enter the score?
+bool counts(const Comparison&, std::size_t column);
 // Why it does not; empty if it does.
-std::string why_left_out(const Comparison&, std::size_t metric);
+std::string why_left_out(const Comparison&, std::size_t column);
+
+// Over which times motion is measured, and how much of that is localisation error.
+std::string lags_measured(const Comparison&);
+// Which lag carried the decision: "Lag 8 (0.08 s) carried 71 % of the weight, …. "; empty if there is only one.
+std::string lag_weights(const Comparison&);
 
 // Largest possible energy: that of disjoint distributions, 2M/(u2 - u1).
 double worst_energy(const Binning&);

@@ -20,7 +20,7 @@ constexpr int kFreshSeeds = 20;
 // What a candidate is judged by: the mean energy of the scored metrics, or the loss that the fit minimised, 1 - E.
 using Loss = std::function<double(const Energies&)>;
 
-Loss mean_energy(const PerMetric<bool>& used) {
+Loss mean_energy(const PerColumn<bool>& used) {
   return [used](const Energies& raw) {
     double sum = 0, n = 0;
     for (std::size_t j = 0; j < kMetrics; ++j)
@@ -45,10 +45,10 @@ struct Pooled {
 };
 
 Pooled pooled(const Objective& objective, const Target& target, const std::vector<double>& candidate, const std::vector<Rng>& seeds) {
-  std::vector<PerMetric<Distribution>> parts;
+  std::vector<PerColumn<Distribution>> parts;
   for (const Rng& seed : seeds) parts.push_back(objective.evaluate(candidate, {&seed, 1}).distributions);
   const auto energies_without = [&](std::size_t left_out) {
-    PerMetric<Distribution> sum{};
+    PerColumn<Distribution> sum{};
     for (std::size_t r = 0; r < parts.size(); ++r)
       for (std::size_t m = 0; r != left_out && m < kMetrics; ++m) sum[m].histogram.add(parts[r][m].histogram);
     return target.energies(sum);

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 std::string content(const fs::path& path) {
@@ -89,6 +90,11 @@ TEST_F(Program, RefusesBadFlagsInOneLine) {
   expect_refused("compare demo -m bswarm,boids --bounds gamma=2:1", "empty");
   expect_refused("compare demo -m bswarm,boids --obs-noise much", "much");
   expect_refused("compare demo -m bswarm,boids --arena ball", "--arena ball");
+  expect_refused("compare demo -m bswarm,boids --lags 1,0", "--lags 1,0");
+  expect_refused("compare demo -m bswarm,boids --lags 4,4", "named twice");
+  expect_refused("compare demo -m bswarm,boids --lags 5000 --out x", "lags of at most");
+  expect_refused("evaluate demo demo --lags 1,fast", "fast");
+  expect_refused("recover -m bswarm,boids --lags one", "one");
   expect_refused("fit demo -m bswarm,boids", "exactly one model");
   expect_refused("simulate birds -o x.csv", "birds");
 }
@@ -194,13 +200,30 @@ TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
 TEST_F(Program, ProtocolSwitchesDefaultsAndFlagsWin) {
   const std::string job = std::string("compare demo -m bswarm,boids --frames 0:60 --protocol ren2016 ") + kQuick;
   ASSERT_EQ(run(job + "--out literal").code, 0);
-  EXPECT_THAT(content(dir_ / "literal/config.toml"), AllOf(HasSubstr("protocol = \"ren2016\""), HasSubstr("normalisation = \"separate\""),
-                                                           HasSubstr("obs-noise = \"0\""), HasSubstr("error-limit = 1")));
+  EXPECT_THAT(content(dir_ / "literal/config.toml"),
+              AllOf(HasSubstr("protocol = \"ren2016\""), HasSubstr("normalisation = \"separate\""), HasSubstr("obs-noise = \"0\""),
+                    HasSubstr("error-limit = 1"), HasSubstr("lags = \"1\"")));
   EXPECT_THAT(content(dir_ / "literal/results.json"), AllOf(HasSubstr("\"protocol\": \"ren2016\""), HasSubstr("\"passes\": 10")));
   ASSERT_EQ(run(job + "--normalisation reference --obs-noise 0.3 --out mixed").code, 0);
   EXPECT_THAT(content(dir_ / "mixed/config.toml"), AllOf(HasSubstr("normalisation = \"reference\""), HasSubstr("obs-noise = \"0.3\"")));
   ASSERT_EQ(run("compare --config mixed/config.toml -q --out again").code, 0);
   EXPECT_EQ(content(dir_ / "mixed/results.json"), content(dir_ / "again/results.json"));
+}
+
+TEST_F(Program, LagsAreStoredAsChosenAndRepeat) {
+  const std::string job = std::string("compare film.csv -m bswarm,boids ") + kQuick;
+  ASSERT_EQ(run("simulate langevin --agents 8 --frames 120 --start-radius 5 --obs-noise 0.01 -o film.csv").code, 0);
+  const Result chosen = run(job + "--out chosen");
+  ASSERT_EQ(chosen.code, 0) << chosen.err;
+  EXPECT_THAT(chosen.out, HasSubstr("Motion is measured at lag 1"));
+  EXPECT_THAT(content(dir_ / "chosen/config.toml"), AllOf(HasSubstr("lags = \"1,"), Not(HasSubstr("auto"))));
+  ASSERT_EQ(run("compare --config chosen/config.toml -q --out again").code, 0);
+  EXPECT_EQ(content(dir_ / "chosen/results.json"), content(dir_ / "again/results.json"));
+  ASSERT_EQ(run(job + "--protocol ren2016 --lags 8,2 --out given").code, 0);
+  EXPECT_THAT(content(dir_ / "given/config.toml"), HasSubstr("lags = \"2,8\""));
+  EXPECT_THAT(run("evaluate film.csv film.csv --lags 1,4 --json").out, HasSubstr("\"mu@4\": 0"));
+  EXPECT_THAT(run("evaluate film.csv film.csv --lags auto").out, HasSubstr("Motion is measured at lag"));
+  ASSERT_EQ(run("weigh chosen/tables/raw_energies.csv").code, 0);
 }
 
 TEST_F(Program, DoesNotTouchAForeignFolder) {

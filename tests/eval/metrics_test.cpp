@@ -212,7 +212,7 @@ TEST(Metrics, AgreeWithTheDefinitionTrackByTrack) {
   const auto got = metric_samples(tracks).values;
 
   using V = Eigen::Vector3d;
-  PerMetric<std::vector<double>> want;
+  PerColumn<std::vector<double>> want;
   const auto row_at = [&](std::uint32_t id, std::int64_t k) -> const Row* {
     for (const Row& r : rows)
       if (r.track == id && r.frame == k) return &r;

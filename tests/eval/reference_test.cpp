@@ -185,7 +185,7 @@ TEST_F(Reference, EntropyWeights) {
 
 struct Golden {
   Normalisation mode;
-  PerMetric<double> energies;
+  PerColumn<double> energies;
 };
 const std::array<Golden, 3> kGolden = {
     {{Normalisation::reference,
@@ -194,7 +194,7 @@ const std::array<Golden, 3> kGolden = {
       {2.63497517576, 2.722270421978, 3.751774495019, 2.371240006185, 2.145521922803, 3.489718833269, 3.682703793359}},
      {Normalisation::none,
       {3.496832319317, 7.509988994928, 5.044328894427, 3.913423508347, 8.542972782907, 4.592144401178, 2.555858420427}}}};
-const PerMetric<std::uint64_t> kGoldenSamples = {1359, 1315, 1315, 1272, 1272, 1405, 1321};
+const PerColumn<std::uint64_t> kGoldenSamples = {1359, 1315, 1315, 1272, 1272, 1405, 1321};
 
 // Energies and sample counts of swarm(1, 20) and swarm(2, 30). Change a number only while Reference.EnergiesOfSyntheticRecordings passes.
 TEST(Golden, EnergiesOfSyntheticRecordings) {

@@ -54,7 +54,7 @@ TEST(HalfDistance, AgreesWithBruteForce) {
 // Another run of the same process is as far from the recording as the recording from itself: eight such runs scatter about the floor.
 TEST(HalfDistance, SameProcessIsAtTheFloorAnotherIsNot) {
   const HalfDistance half(trapped(1));
-  PerMetric<Moments> same;
+  PerColumn<Moments> same;
   for (std::uint64_t seed = 2; seed < 10; ++seed) {
     const auto d = half.to(half.blocks(trapped(seed)));
     for (std::size_t m = 0; m < kMetrics; ++m) same[m].add(d[m]);
@@ -75,7 +75,7 @@ TEST(HalfDistance, ItselfIsAtTheFloorExactly) {
 TEST(HalfDistance, OnlyWantedMetricsAndNothingOnShortRecordings) {
   const Tracks tracks = trapped(1);
   const HalfDistance half(tracks);
-  PerMetric<bool> wanted{};
+  PerColumn<bool> wanted{};
   wanted[kDistance] = true;
   const auto d = half.to(half.recording(), wanted);
   EXPECT_EQ(d[kDistance], half.floor()[kDistance]);
@@ -86,8 +86,8 @@ TEST(HalfDistance, OnlyWantedMetricsAndNothingOnShortRecordings) {
 }
 
 TEST(Skill, OneAtTheFloorZeroAtTheNullAndLinearBetween) {
-  const PerMetric<double> floor{.1, .2, .3, 9, 9, 9, 9}, null{.5, .2, .8, 9, 9, 9, 9};
-  const PerMetric<bool> used{true, true, true};
+  const PerColumn<double> floor{.1, .2, .3, 9, 9, 9, 9}, null{.5, .2, .8, 9, 9, 9, 9};
+  const PerColumn<bool> used{true, true, true};
   const SkillScale scale = skill_scale(floor, null, used);
   EXPECT_DOUBLE_EQ(scale.floor, 0.2);
   EXPECT_DOUBLE_EQ(scale.null, 0.5);

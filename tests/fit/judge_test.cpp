@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::IsNan;
 using testing::Not;
 
-constexpr PerMetric<bool> kAllUsed = {true, true, true, true, true, true, true};
+const PerColumn<bool> kAllUsed = {true, true, true, true, true, true, true};
 
 // A judge of a recording that bswarm planted, and the model that planted it.
 struct Planted {
@@ -57,13 +57,13 @@ TEST(Judge, TruthIsNearOneAndWrongIsFarBelow) {
 // The skill from the numbers of the tables alone.
 TEST(Judge, SkillFollowsFromTheDistancesShown) {
   const Planted planted;
-  PerMetric<bool> used{};
+  PerColumn<bool> used{};
   used[kSpeed] = used[kAngularVelocity] = used[kDistance] = true;
   const Judge judge(planted.conditions, used, 1);
   Comparison c;
   c.models.push_back(planted.judged(judge, planted.truth));
   judge.tell(c);
-  const auto mean = [&](const PerMetric<double>& x) { return (x[kSpeed] + x[kAngularVelocity] + x[kDistance]) / 3; };
+  const auto mean = [&](const PerColumn<double>& x) { return (x[kSpeed] + x[kAngularVelocity] + x[kDistance]) / 3; };
   const double floor = mean(c.skill.floor), null = mean(c.skill.null);
   EXPECT_NEAR(c.models[0].skill.value, 1 - (mean(c.models[0].total_variation) - floor) / (null - floor), 1e-9);
   EXPECT_TRUE(c.skill.informative[kAngularVelocity]);
@@ -73,7 +73,7 @@ TEST(Judge, SkillFollowsFromTheDistancesShown) {
 // v alone tells nothing, since the walker has the recorded speeds.
 TEST(Judge, SkillRestsOnAllMetricsIfThoseOfTheScoreTellNothing) {
   const Planted planted;
-  PerMetric<bool> speed{};
+  PerColumn<bool> speed{};
   speed[kSpeed] = true;
   Comparison c;
   Judge(planted.conditions, speed, 1).tell(c);
@@ -179,7 +179,7 @@ TEST(SkillWarnings, UndefinedSkillIsExplained) {
 // The energies of leave_one_out_test: without d, a overtakes b.
 TEST(Judge, TellsRankingsWithoutEachModel) {
   const Planted planted;
-  PerMetric<bool> two{};
+  PerColumn<bool> two{};
   two[0] = two[1] = true;
   const Judge judge(planted.conditions, two, 1);
   Comparison c;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kBins = 150;
 constexpr double kSamples = 60000;
-constexpr PerMetric<double> kMean = {213, 1840, 9.2, 0.3, 2.1e5, 41, 2.9};
-constexpr PerMetric<double> kSd = {98, 1130, 7.9, 640, 1.4e5, 19, 3.3};
+const PerColumn<double> kMean = {213, 1840, 9.2, 0.3, 2.1e5, 41, 2.9};
+const PerColumn<double> kSd = {98, 1130, 7.9, 640, 1.4e5, 19, 3.3};
 
 // A gamma density for magnitudes, a Laplace density for the signed angular acceleration.
 double shape(std::size_t metric, double x, double mean, double sd) {
@@ -155,6 +155,23 @@ void add_without(Comparison& c) {
   }
 }
 
+// Columns of further lags: those of the first again, with something else in every one.
+template <class T, class Change>
+void extend(PerColumn<T>& values, std::size_t lags, Change change) {
+  values.resize(kMetrics + kMotionMetrics * lags);
+  for (std::size_t j = kMetrics; j < values.size(); ++j) values[j] = change(values[(j - kMetrics) % kMotionMetrics], j);
+}
+
+void extend(FitResult& r, std::size_t lags) {
+  const auto larger = [](double x, std::size_t j) { return x * (1 + 0.01 * static_cast<double>(j)); };
+  for (auto* values : {&r.raw_energies, &r.raw_se, &r.energies, &r.half_step_energies, &r.mean_ratio, &r.sd_ratio, &r.outside_fraction,
+                       &r.total_variation, &r.wasserstein, &r.sensitivity.without, &r.sensitivity.doubled})
+    extend(*values, lags, larger);
+  extend(r.sensitivity.rank_without, lags, [](int rank, std::size_t) { return rank; });
+  extend(r.distributions, lags, [](const Distribution& d, std::size_t) { return d; });
+  for (Energies& e : r.replicate_energies) extend(e, lags, larger);
+}
+
 }  // namespace
 
 Comparison sample_comparison(const std::vector<Sketch>& models) {
@@ -176,6 +193,7 @@ Comparison sample_comparison(const std::vector<Sketch>& models) {
     c.history.push_back({static_cast<std::size_t>(rank - 1), 1, "search", {0.01, 2100, 12.5}, c.models.back().raw_energies, 0});
   }
   add_without(c);
+  c.lags = {{1, 3, 0.59, 0.78}, {0, 2, 0.41, 0.11}};
   return c;
 }
 
@@ -185,6 +203,28 @@ Comparison sample_comparison() {
                             {"bswarm[noise=gaussian]", 0.533, 0.018, 0.85},
                             {"boids", 0.402, 0.009, 1.4},
                             {"bswarm[noise=white]", 0.311, 0.03, 0.7}});
+}
+
+Comparison sample_at_lags() {
+  Comparison c = sample_comparison();
+  c.columns = columns_at({1, 4, 16});
+  const auto same = [](auto x, std::size_t) { return x; };
+  const auto true_flag = [](bool, std::size_t) { return true; };
+  for (auto* values : {&c.axis_lower, &c.axis_width, &c.p1, &c.p2, &c.skill.floor, &c.skill.floor_sd, &c.skill.null})
+    extend(*values, 2, same);
+  extend(c.observation.error_share, 2, [](double, std::size_t j) { return j < 12 ? 0.1 : 0.02; });
+  for (auto* flags : {&c.defined, &c.observation.used, &c.skill.used, &c.skill.informative}) extend(*flags, 2, true_flag);
+  extend(c.observation.why_not, 2, [](const std::string&, std::size_t) { return std::string(); });
+  extend(c.recording, 2, same);
+  for (double& w : c.weights) w *= 0.2;
+  extend(c.weights, 2, [](double, std::size_t j) { return j < 12 ? 0.02 : 0.14; });
+  for (WeightStep& s : c.weight_history)
+    for (auto* values : {&s.weights, &s.p1, &s.p2}) extend(*values, 2, same);
+  for (LeftOut& w : c.without) extend(w.weights, 2, same);
+  for (FitResult& r : c.models) extend(r, 2);
+  for (HistoryRow& row : c.history) extend(row.raw, 2, same);
+  c.lags = {{1, 3, 0.118, 0.78}, {4, 5, 0.1, 0.1}, {16, 5, 0.7, 0.02}, {0, 2, 0.082, 0.11}};
+  return c;
 }
 
 }  // namespace swarmfit
