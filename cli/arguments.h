@@ -34,7 +34,7 @@ struct FitArguments {
   std::int64_t max_evaluations = 0;
   std::vector<std::string> set, fix, bounds;
   std::string presence = "recorded", arena = "open", velocity = "difference", protocol = "default";
-  std::string normalisation, observation_error, lags;  // empty: the protocol's
+  std::string normalisation, observation_error, lags, resolution;  // empty: the protocol's
   double smoothing = 0;
   double error_limit = -1;  // negative: the protocol's
   int bins = 0;
@@ -49,7 +49,7 @@ struct RecoverArguments {
   std::string preset, out, budget = "quick", protocol = "default", observation_error, lags;
   std::int64_t max_evaluations = 0, frames = 300;
   int seeds = 10, agents = 10, dims = 3;
-  double fps = 100, noise = 0, dropout = 0;
+  double fps = 100, noise = 0, dropout = 0, spread = 2;
   double extent = 100, spacing = 70, speed = 225;  // a laboratory swarm of midges, in mm and s
   std::string unit = "mm";
 };

@@ -70,6 +70,10 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("--error-limit", a.error_limit,
                  "leave a metric out of the score if more than this share of its variance is localisation error (default 0.5)")
       ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--resolution", a.resolution,
+                 "recording (default): differences between models below what the recording can tell do not count in full; none: they do, "
+                 "as published")
+      ->check(CLI::IsMember({"recording", "none"}));
   app.add_option("--lags", a.lags,
                  "measure motion over this many frames, each lag as metrics of its own: 1,4,16; or auto (default), which adds to 1 the "
                  "shortest lag at which no metric of motion is past the error limit");
@@ -216,6 +220,10 @@ struct Program {
     sub.add_option("--film-noise", a.noise, "localisation error of the planted recordings [unit]")->check(CLI::NonNegativeNumber);
     sub.add_option("--dropout", a.dropout, "probability per individual and frame that it is lost for up to five frames")
         ->check(CLI::Range(0.0, 1.0));
+    sub.add_option("--spread", a.spread,
+                   "planted parameters are the defaults times or by up to this factor, anew for every recording; 1: the defaults")
+        ->check(CLI::Range(1.0, 100.0))
+        ->capture_default_str();
     sub.add_option("--extent", a.extent, "rms radius of the planted groups [unit]")->check(CLI::PositiveNumber)->capture_default_str();
     sub.add_option("--spacing", a.spacing, "their nearest-neighbour distance [unit]")->check(CLI::PositiveNumber)->capture_default_str();
     sub.add_option("--speed", a.speed, "their mean speed [unit/s]")->check(CLI::PositiveNumber)->capture_default_str();

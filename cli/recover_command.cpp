@@ -41,6 +41,7 @@ RecoveryOptions recovery_options(const RecoverArguments& a) {
   o.film.unit = a.unit;
   o.scales = {a.extent, a.spacing, a.speed};
   o.seeds = a.seeds;
+  o.spread = a.spread;
   for (const auto& [name, value] : parse_assignments(a.set)) {
     const auto dot = name.rfind('.');
     if (dot == std::string::npos) throw InputError(fmt::format("--set {}: expected model.parameter=value", name));
@@ -63,6 +64,7 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
              {"dims", std::to_string(a.dims)},
              {"film-noise", fmt::format("{}", a.noise)},
              {"dropout", fmt::format("{}", a.dropout)},
+             {"spread", fmt::format("{}", a.spread)},
              {"extent", fmt::format("{}", a.extent)},
              {"spacing", fmt::format("{}", a.spacing)},
              {"speed", fmt::format("{}", a.speed)},

@@ -165,6 +165,7 @@ FitArguments with_protocol(FitArguments a) {
   if (a.observation_error.empty()) a.observation_error = literal ? "0" : "estimate";
   if (a.lags.empty()) a.lags = literal ? "1" : "auto";
   if (a.error_limit < 0) a.error_limit = literal ? 1 : 0.5;
+  if (a.resolution.empty()) a.resolution = literal ? "none" : "recording";
   return a;
 }
 
@@ -191,6 +192,7 @@ CompareOptions compare_options(const FitArguments& a) {
   o.max_evaluations = a.max_evaluations;
   o.lags = parse_lags(a.lags);
   o.error_limit = a.error_limit;
+  o.resolution = a.resolution == "recording";
   return o;
 }
 
@@ -230,6 +232,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   if (a.common_dynamics) out.emplace_back("common", "true");
   text("obs-noise", a.observation_error);
   out.emplace_back("error-limit", fmt::format("{}", a.error_limit));
+  text("resolution", a.resolution);
   text("lags", a.lags);
   positive("smooth", a.smoothing);
   text("velocity", a.velocity);

@@ -53,6 +53,10 @@ ModelSearch::Round ModelSearch::on_seeds(const CompareOptions& options, Stream s
 
 void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& on_search) {
   if (space_.dimensions() > 0) {
+    if (number == 1) {  // the table's defaults are in the recording's scales: the one candidate that is not a guess
+      keep(search_, space_.start(), objective_.evaluate(space_.parameters(space_.start()), search_.seeds), number, "search");
+      ++evaluations_;
+    }
     const auto &wide = options_.budget.search, &narrow = options_.budget.selection;
     const auto before = evaluations_;
     const Found found = explore(search_, wide, number, "search", weighting, [&](const GenerationReport& report) {
@@ -79,9 +83,10 @@ std::int64_t ModelSearch::planned(int number) const {
   return candidates(budget.search, number) * budget.search.replicates + candidates(budget.selection, number) * budget.selection.replicates;
 }
 
-std::vector<Evaluated> ModelSearch::leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart) {
+std::vector<Evaluated> ModelSearch::leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,
+                                            Energies Archived::*by) {
   std::vector<Evaluated> all;
-  for (const auto& a : round.archive) all.push_back({a.x, cost_of(a.raw, weighting)});
+  for (const auto& a : round.archive) all.push_back({a.x, cost_of(a.*by, weighting)});
   std::stable_sort(all.begin(), all.end(), [](const Evaluated& a, const Evaluated& b) { return a.cost < b.cost; });
   std::vector<Evaluated> chosen;
   for (const auto& candidate : all) {
@@ -96,7 +101,7 @@ void ModelSearch::keep(Round& round, const Point& x, const Outcome& outcome, int
   HistoryRow row{index_, pass, phase, {}, outcome.raw, outcome.failed};
   for (const auto p : space_.searched()) row.x.push_back(values[p]);
   history_.push_back(std::move(row));
-  round.archive.push_back({x, outcome.raw});
+  round.archive.push_back({x, outcome.raw, outcome.guided});
   simulations_ += static_cast<std::int64_t>(outcome.replicates.size());
   failed_ += outcome.failed;
 }
@@ -121,7 +126,7 @@ Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const
     std::vector<double> costs;
     const std::lock_guard guard(lock);
     for (std::size_t k = 0; k < points.size(); ++k) {
-      costs.push_back(cost_of(outcomes[k].raw, weighting));
+      costs.push_back(cost_of(outcomes[k].guided, weighting));
       outcomes[k].distributions = {};  // large, and not needed again
       seen.insert_or_assign(points[k], std::move(outcomes[k]));
     }
@@ -152,7 +157,7 @@ void ModelSearch::promote(const Round& from, Round& to, std::size_t most, double
 }
 
 void ModelSearch::conclude(int number, const Weighting& weighting) {
-  const Point best = leaders(confirmation_, weighting, 1, 0.0).front().x;
+  const Point best = leaders(confirmation_, weighting, 1, 0.0, &Archived::raw).front().x;
   if (!selected_.outcome.replicates.empty() && (best.size() == 0 || same(best, selected_.x))) return;
   Round report = {Stream::final_seeds, final_seeds_, {}, {}};
   selected_ = {best, objective_.evaluate(space_.parameters(best), final_seeds_)};

@@ -40,7 +40,7 @@ class ModelSearch {
  private:
   struct Archived {
     Point x;
-    Energies raw;
+    Energies raw, guided;  // as in Outcome
   };
   // Candidates simulated on the same seeds, so that their energies can be compared, now and under later weightings.
   struct Round {
@@ -50,8 +50,9 @@ class ModelSearch {
     Point recommended;  // by the last search's response surface; empty before
   };
   static Round on_seeds(const CompareOptions& options, Stream stream, int replicates);
-  // The best of an archive under these weights, no two nearer than `apart` in the unit cube.
-  static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart);
+  // The best of an archive under these weights, no two nearer than `apart` in the unit cube: by what a search minimises, or by the score.
+  static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,
+                                        Energies Archived::*by = &Archived::guided);
   void keep(Round& round, const Point& x, const Outcome& outcome, int pass, const char* phase);
   Found explore(Round& round, const SearchSize& size, int pass, const char* phase, const Weighting& weighting,
                 const OnGeneration& on_generation);

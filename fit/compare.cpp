@@ -70,7 +70,7 @@ class Calibration {
         searches_[m].pass(pass, weighting_,
                           [&](std::int64_t simulations, double best) { return tell(m, pass, passes, simulations, best); });
       if (searches_.size() < 2) break;
-      const Weighting next = entropy_weights(energy_table(searches_), used_);
+      const Weighting next = entropy_weights(energy_table(searches_), used_, {result.resolution.begin(), result.resolution.end()});
       result.weight_history.push_back(weight_step(pass, next, weighting_));
       weighting_ = next;
       if (result.weight_history.back().largest_change < options_.weight_tolerance) {
@@ -185,6 +185,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
 
   Comparison result;
   result.observation = observation_facts(conditions, target, options);
+  result.resolution = resolution(conditions, target, options);
   const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
   Calibration calibration(options, conditions, target, used, result.history, on_progress);
   calibration.run(result);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "libeval/lags.h"
+#include "libeval/skill.h"
 
 namespace swarmfit {
 namespace {
@@ -85,6 +86,15 @@ void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::strin
 }
 
 }  // namespace
+
+PerColumn<double> resolution(const Conditions& c, const Target& target, const CompareOptions& options) {
+  PerColumn<double> out(target.columns().size(), 0.0);
+  if (!options.resolution) return out;
+  const HalfDistance halves(c.recording, c.metrics);
+  for (std::size_t j = 0; j < out.size(); ++j)
+    if (const double distance = halves.floor()[j]; std::isfinite(distance)) out[j] = 0.5 * distance * target.worst();
+  return out;
+}
 
 ObservationFacts observation_facts(const Conditions& c, const Target& target, const CompareOptions& options) {
   ObservationFacts facts;
@@ -188,6 +198,12 @@ std::vector<std::string> warnings_for(const Comparison& r) {
   if (r.models.size() == 2)
     warn(out,
          "With two models the entropy weights only count which model is nearer in each metric; read the raw energies beside the score.");
+  std::vector<std::string> alike;
+  for (std::size_t j = 0; j < r.columns.size(); ++j)
+    if (r.models.size() > 1 && r.weights[j] > 0 && r.resolution[j] > 0 && r.p2[j] <= r.resolution[j]) alike.push_back(r.columns[j].key());
+  if (!alike.empty())
+    warn(out, "In {} no two models differ by more than the recording's own scatter; such differences count for less.",
+         fmt::join(alike, ", "));
   if (r.models.size() > 1 && !r.weights_converged)
     warn(out, "The weights had not settled after {} passes (last change {:.3f}); a larger --budget may move the scores.",
          r.weight_history.size(), r.weight_history.back().largest_change);

@@ -6,6 +6,10 @@
 
 namespace swarmfit {
 
+// Per column, the energy by which the recording scatters about its own law: halves of it hold half the samples each, so the recording is
+// half as far from the law as they are from one another. 0 where that is unknown or not asked for.
+PerColumn<double> resolution(const Conditions&, const Target&, const CompareOptions&);
+
 ObservationFacts observation_facts(const Conditions& conditions, const Target& target, const CompareOptions& options);
 
 // Lags at which both sides are measured: those asked for, or chosen so that the signal exceeds the localisation error. Throws InputError

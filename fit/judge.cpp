@@ -153,7 +153,7 @@ void Judge::tell(Comparison& result) const {
   Eigen::MatrixXd table(static_cast<Index>(models.size()), static_cast<Index>(used_.size()));
   for (std::size_t m = 0; m < models.size(); ++m)
     for (std::size_t j = 0; j < used_.size(); ++j) table(static_cast<Index>(m), static_cast<Index>(j)) = models[m].raw_energies[j];
-  for (const WithoutOne& w : leave_one_out(table, std::vector<bool>(used_.begin(), used_.end()))) {
+  for (const WithoutOne& w : leave_one_out(table, {used_.begin(), used_.end()}, {result.resolution.begin(), result.resolution.end()})) {
     LeftOut out;
     out.model = models[static_cast<std::size_t>(w.dropped)].model;
     out.weights.assign(w.weighting.weights.begin(), w.weighting.weights.end());

@@ -9,6 +9,9 @@
 namespace swarmfit {
 namespace {
 
+// Energies of distributions that do not overlap are all the worst; this share of it per unit of Target::misplacement shows a search the
+// way, and is small beside the differences that remain once they do overlap (docs/search.md).
+constexpr double kGuide = 0.02;
 constexpr double kEscapeSpeed = 1e3;  // in units of the recorded mean speed: nothing recorded moves like that
 
 void add(Counters& sum, const Counters& part) {
@@ -95,7 +98,7 @@ Objective::Trial Objective::run(const std::vector<double>& candidate, const Rng&
 Outcome Objective::pool(std::span<Trial> trials) const {
   const std::size_t columns = target_.columns().size();
   Outcome out;
-  out.raw = Energies(columns);
+  out.raw = out.guided = Energies(columns);
   out.distributions = PerColumn<Distribution>(columns);
   MetricSamples samples(target_.columns());
   for (Trial& trial : trials) {
@@ -111,10 +114,12 @@ Outcome Objective::pool(std::span<Trial> trials) const {
   }
   if (target_.binning().normalisation == Normalisation::separate) out.distributions = target_.distributions(samples);
   const double failed = static_cast<double>(out.failed) / static_cast<double>(trials.size());
+  const auto off = target_.misplacement(out.distributions);
   const Energies good = failed < 1 ? target_.energies(out.distributions) : Energies{};
   for (std::size_t m = 0; m < columns; ++m) {
     const double energy = failed < 1 && std::isfinite(good[m]) ? good[m] : target_.worst();
     out.raw[m] = target_.defined(m) ? (1 - failed) * energy + failed * target_.worst() : NAN;
+    out.guided[m] = out.raw[m] + kGuide * target_.worst() * ((1 - failed) * off[m] + failed * kMostMisplaced);
   }
   return out;
 }

@@ -15,6 +15,7 @@ namespace swarmfit {
 // One candidate over all its replicates.
 struct Outcome {
   Energies raw;                           // pooled; a replicate that blew up counts with the worst energy; NaN: undefined in the recording
+  Energies guided;                        // raw, and a little more the farther off the means are: what a search minimises
   std::vector<Energies> replicates;       // of each replicate alone
   PerColumn<Distribution> distributions;  // pooled replicates
   int failed = 0;                         // replicates that blew up

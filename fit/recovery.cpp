@@ -14,8 +14,9 @@ namespace {
 
 constexpr double kWarmUp = 2;  // in units of L / V
 
-RecoveryCase judged(std::size_t planted, const std::string& name, std::uint64_t seed, const Comparison& result) {
-  RecoveryCase out{planted, seed, {}, {}, {}, 0};
+RecoveryCase judged(std::size_t planted, const std::string& name, std::uint64_t seed, std::vector<double> parameters,
+                    const Comparison& result) {
+  RecoveryCase out{planted, seed, std::move(parameters), {}, {}, {}, 0};
   for (const FitResult& fit : result.models) {
     out.order.push_back(fit.model);
     out.scores.push_back(fit.score);
@@ -34,6 +35,19 @@ std::vector<double> planted_parameters(const ModelChoice& model, const Scales& s
     if (!set.contains(std::string(row.name))) values[p] = row.fit.initial * row.scale(scales);
   }
   return values;
+}
+
+std::vector<double> varied(const ModelChoice& model, std::vector<double> parameters, const Scales& scales, double spread,
+                           std::uint64_t seed, const std::map<std::string, double>& set) {
+  const Rng rng{seed};
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const Parameter& row = model.spec->parameters[p];
+    if (!row.fitted || !model.spec->uses(p, model.options) || set.contains(std::string(row.name))) continue;
+    const double u = 2 * rng.uniform(Stream::probe, 0, static_cast<std::uint32_t>(p), 0) - 1, unit = row.scale(scales);
+    const double value = std::clamp(parameters[p] * std::exp(u * std::log(spread)), row.fit.lower * unit, row.fit.upper * unit);
+    parameters[p] = row.integer ? std::round(value) : value;
+  }
+  return parameters;
 }
 
 Tracks planted_recording(const ModelChoice& model, const std::vector<double>& parameters, PlantOptions film, const Scales& scales,
@@ -68,16 +82,17 @@ Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on
     const ModelChoice& model = options.planted[p];
     if (std::find(out.compared.begin(), out.compared.end(), model.name) == out.compared.end())
       throw InputError("recover: " + model.name + " is planted but not compared");
-    const auto set = options.set.find(model.name);
+    const auto found = options.set.find(model.name);
+    const auto set = found == options.set.end() ? std::map<std::string, double>{} : found->second;
     out.planted.push_back(model.name);
-    out.parameters.push_back(
-        planted_parameters(model, options.scales, set == options.set.end() ? std::map<std::string, double>{} : set->second));
+    out.parameters.push_back(planted_parameters(model, options.scales, set));
     out.confusion.emplace_back(out.compared.size(), 0);
     for (int k = 1; k <= options.seeds; ++k) {
       const auto seed = static_cast<std::uint64_t>(k);
       compare_options.seed = seed;
-      const Tracks recording = planted_recording(model, out.parameters.back(), options.film, options.scales, seed);
-      out.cases.push_back(judged(p, model.name, seed, compare(recording, compare_options)));
+      const auto parameters = varied(model, out.parameters.back(), options.scales, options.spread, seed, set);
+      const Tracks recording = planted_recording(model, parameters, options.film, options.scales, seed);
+      out.cases.push_back(judged(p, model.name, seed, parameters, compare(recording, compare_options)));
       const auto winner = std::find(out.compared.begin(), out.compared.end(), out.cases.back().order.front());
       ++out.confusion.back()[static_cast<std::size_t>(winner - out.compared.begin())];
       if (on_case && !on_case(out.cases.back())) throw Interrupted{};

@@ -19,11 +19,13 @@ struct RecoveryOptions {
   PlantOptions film;  // length, group and camera; its seed, start and scales are not used
   Scales scales;      // of the planted swarms: parameters are the defaults of the fit table in these scales
   int seeds = 10;     // recordings per model
+  double spread = 2;  // planted values of fitted parameters are multiplied by up to this factor, or divided, anew for every recording
 };
 
 struct RecoveryCase {
   std::size_t planted;             // index into RecoveryOptions::planted
   std::uint64_t seed;              // of the recording and of the comparison
+  std::vector<double> parameters;  // planted, one per row of the model's table
   std::vector<std::string> order;  // models by rank, those without a score last
   std::vector<double> scores;      // in that order
   std::vector<double> score_se;
@@ -32,13 +34,18 @@ struct RecoveryCase {
 
 struct Recovery {
   std::vector<std::string> planted, compared;   // canonical names
-  std::vector<std::vector<double>> parameters;  // planted, one per row of each model's table
+  std::vector<std::vector<double>> parameters;  // about which they are planted, one per row of each model's table
   std::vector<RecoveryCase> cases;              // by planted model, then seed
   std::vector<std::vector<int>> confusion;      // planted × compared: how often was it ranked first?
 };
 
 // Planted parameters of a model: the fit table's defaults in these scales, with some set by name. Throws InputError on an unknown name.
 std::vector<double> planted_parameters(const ModelChoice& model, const Scales& scales, const std::map<std::string, double>& set = {});
+
+// The same with every fitted parameter that is not in `set` multiplied by spread^u, u uniform on [-1, 1] and drawn from the seed, and kept
+// within the fit bounds. A search starts at the defaults: what it is to recover must lie elsewhere.
+std::vector<double> varied(const ModelChoice& model, std::vector<double> parameters, const Scales& scales, double spread,
+                           std::uint64_t seed, const std::map<std::string, double>& set = {});
 
 // One planted recording: agents start in a ball (disc) with the rms radius of the scales, at their speed, and are filmed after a warm-up of
 // two times L / V.

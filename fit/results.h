@@ -187,6 +187,7 @@ struct Comparison {
   PerColumn<double> axis_lower{}, axis_width{};   // of all histograms, physical units
   PerColumn<bool> defined{};
   PerColumn<double> weights{}, p1{}, p2{};
+  PerColumn<double> resolution;  // least p2: half the energy between halves of the recording; 0: none, or it cannot be told
   std::vector<WeightStep> weight_history;
   bool weights_converged = false;
   std::vector<FitResult> models;                   // by rank

@@ -29,6 +29,7 @@ class SearchSpace {
   int dimensions() const { return static_cast<int>(searched_.size()); }
   const std::vector<std::size_t>& searched() const { return searched_; }  // rows of the parameter table
   std::vector<double> parameters(const Point& x) const;                   // all rows, physical units
+  Point start() const { return point(base_); }                            // the defaults, or what was set
   Point point(const std::vector<double>& parameters) const;               // inverse on the searched rows, clamped to the cube
   std::vector<ParameterResult> describe(const Point& x, const std::string& length_unit) const;
 

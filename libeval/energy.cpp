@@ -234,6 +234,17 @@ Energies Target::energies(const PerColumn<Distribution>& simulated) const {
   return energy;
 }
 
+PerColumn<double> Target::misplacement(const PerColumn<Distribution>& simulated) const {
+  PerColumn<double> off(simulated.size(), 0.0);
+  if (binning_.normalisation == Normalisation::separate) return off;
+  for (std::size_t m = 0; m < simulated.size(); ++m) {
+    const Moments& now = simulated[m].moments;
+    if (!defined_[m] || now.count == 0) continue;
+    off[m] = std::min(std::log1p(std::abs(now.mean - recording_[m].moments.mean) / scale_[m]), kMostMisplaced);
+  }
+  return off;
+}
+
 Target::Axis Target::axis(std::size_t column) const {
   return {shift_[column] + scale_[column] * binning_.lower, scale_[column] * (binning_.upper - binning_.lower) / binning_.bins};
 }

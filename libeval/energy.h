@@ -57,6 +57,8 @@ struct Distribution {
 
 using Energies = PerColumn<double>;  // NaN: undefined
 
+inline constexpr double kMostMisplaced = 7;  // Target::misplacement: about 1100 standard deviations off
+
 // The recording, prepared once; scores any number of simulations. Immutable, shared by threads.
 //
 // The standard deviation of a z-score is never taken as less than 1 % of |mean|. A metric whose standard deviation is below 1e-9 of its
@@ -71,6 +73,10 @@ class Target {
   PerColumn<Distribution> distributions(const MetricSamples& simulated) const;
   // E = sum_i |Q_real,i - Q_sim,i| per column, in [0, 2M/(u2-u1)]. Undefined metrics and metrics without samples are NaN.
   Energies energies(const PerColumn<Distribution>& simulated) const;
+  // How far off the simulated means are, ln(1 + |difference| / scale of the z-score), at most kMostMisplaced. Distributions that do not
+  // overlap all have the same energy, however far apart they are; this tells a search which way is nearer. 0 where energies are NaN, and
+  // throughout under Normalisation::separate, where means do not count.
+  PerColumn<double> misplacement(const PerColumn<Distribution>& simulated) const;
 
   const std::vector<Column>& columns() const { return columns_; }
   const PerColumn<Distribution>& recording() const { return recording_; }

@@ -7,7 +7,8 @@
 
 namespace swarmfit {
 
-std::vector<WithoutOne> leave_one_out(const Eigen::MatrixXd& energies, const std::vector<bool>& use) {
+std::vector<WithoutOne> leave_one_out(const Eigen::MatrixXd& energies, const std::vector<bool>& use,
+                                      const std::vector<double>& resolution) {
   const Eigen::Index models = energies.rows();
   std::vector<WithoutOne> out;
   if (models < 3) return out;
@@ -15,7 +16,7 @@ std::vector<WithoutOne> leave_one_out(const Eigen::MatrixXd& energies, const std
     WithoutOne w{dropped, {}, std::vector<double>(static_cast<std::size_t>(models), std::numeric_limits<double>::quiet_NaN()), {}};
     Eigen::MatrixXd rest(models - 1, energies.cols());
     rest << energies.topRows(dropped), energies.bottomRows(models - 1 - dropped);
-    w.weighting = entropy_weights(rest, use);
+    w.weighting = entropy_weights(rest, use, resolution);
     for (Eigen::Index row = 0; row < models; ++row) {
       if (row == dropped) continue;
       w.scores[static_cast<std::size_t>(row)] = score(energies.row(row).transpose(), w.weighting);

@@ -14,8 +14,9 @@ struct WithoutOne {
   std::vector<Eigen::Index> order;  // the remaining rows, best first; equal scores keep their order, undefined ones come last
 };
 
-// Drops each row of the energy table in turn. `use` as in entropy_weights. Empty for fewer than three models: with one left there is
-// nothing to rank.
-std::vector<WithoutOne> leave_one_out(const Eigen::MatrixXd& energies, const std::vector<bool>& use = {});
+// Drops each row of the energy table in turn. `use` and `resolution` as in entropy_weights. Empty for fewer than three models: with one
+// left there is nothing to rank.
+std::vector<WithoutOne> leave_one_out(const Eigen::MatrixXd& energies, const std::vector<bool>& use = {},
+                                      const std::vector<double>& resolution = {});
 
 }  // namespace swarmfit

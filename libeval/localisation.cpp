@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kNormalQuartile = 0.6744897501960817;  // median |z| of a standard normal
 constexpr int kLowest = 2, kHighest = 8;                // orders of difference looked at
+constexpr double kVisible = 0.1;                        // of a standard deviation: a bin of the standard histograms
 constexpr Index kFewest = 100;                          // differences that a level must rest on
 constexpr double kLevelled = 0.9;  // next order's level over this one's; motion slower than 1/6 of the frame rate then adds less than 5 %
 constexpr double kFlat = 1.6;      // largest ratio of levels within the upper third of the spectrum (white: 1, rough acceleration: 2.7)
@@ -118,6 +119,13 @@ double squared_iqr(const std::vector<double>& values) {
   return range * range;
 }
 
+// The standard deviation that a normal distribution with these percentiles has: counts what happens in a few cases of a hundred, but not
+// what happens in a few of a thousand.
+double deviation(const std::vector<double>& values) {
+  constexpr double kNormal = 2 * 2.3263478740408408;  // its 1 % to 99 % range
+  return (quantile(values, 0.99) - quantile(values, 0.01)) / kNormal;
+}
+
 double share(double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0; }
 
 }  // namespace
@@ -176,7 +184,8 @@ PerColumn<double> error_share(const Tracks& tracks, const Eigen::Array3d& sigma,
   for (std::size_t m = 0; m < out.size(); ++m) {
     const double before = squared_iqr(once.values[m]), after = squared_iqr(twice.values[m]);
     const bool defined = before > 0 && std::isfinite(after);
-    out[m] = defined ? std::clamp(after / before - 1, 0.0, 1.0) : std::numeric_limits<double>::quiet_NaN();
+    const bool visible = std::sqrt(after) >= kVisible * deviation(once.values[m]);
+    out[m] = !defined ? std::numeric_limits<double>::quiet_NaN() : visible ? std::clamp(after / before - 1, 0.0, 1.0) : 0;
   }
   return out;
 }

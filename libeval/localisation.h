@@ -33,8 +33,11 @@ Tracks with_error(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64
 
 // Share of each column's spread (squared interquartile range) that is due to an error of this size: adds the same error once more and looks
 // how far the spread rises (one step of SIMEX, Cook & Stefanski 1994). The variance itself would not do: in real recordings a few wild
-// values make up most of the variance of jerks. 0..1; NaN if the metric has no spread. An angle cannot exceed pi: where error already turns
-// headings at random, the share of omega and alpha comes out too small.
+// values make up most of the variance of jerks. 0 where that range, with the error, is less than a tenth of a standard deviation (by the 1
+// % and 99 % quantiles), a bin of the histograms: straight flight with rare turns leaves next to nothing to its bulk, error or not, and its
+// turns are what counts. 0..1;
+// NaN if the metric has no spread. An angle cannot exceed pi: where error already turns headings at random, the share of omega and alpha
+// comes out too small.
 PerColumn<double> error_share(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed, const std::vector<int>& lags = {1});
 
 }  // namespace swarmfit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "libeval/score.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -39,11 +40,12 @@ void normalise(std::vector<double>& weights, const std::vector<bool>& eligible) 
 
 }  // namespace
 
-Weighting entropy_weights(const Eigen::MatrixXd& energies, const std::vector<bool>& use) {
+Weighting entropy_weights(const Eigen::MatrixXd& energies, const std::vector<bool>& use, const std::vector<double>& resolution) {
   const Eigen::Index models = energies.rows(), metrics = energies.cols();
   if (models == 0 || metrics == 0) throw std::invalid_argument("entropy_weights: the energy table is empty");
   const auto n = static_cast<std::size_t>(metrics);
   if (!use.empty() && use.size() != n) throw std::invalid_argument("entropy_weights: one flag per column is needed");
+  if (!resolution.empty() && resolution.size() != n) throw std::invalid_argument("entropy_weights: one resolution per column is needed");
 
   Weighting out{std::vector<double>(n, 0.0), std::vector<double>(n, kNaN), std::vector<double>(n, kNaN), std::vector<double>(n, kNaN)};
   std::vector<bool> eligible(n, false);
@@ -52,6 +54,7 @@ Weighting entropy_weights(const Eigen::MatrixXd& energies, const std::vector<boo
     if (!x.allFinite()) continue;
     out.p1[j] = x.minCoeff();
     out.p2[j] = x.maxCoeff() - out.p1[j];
+    if (!resolution.empty() && out.p2[j] > 0) out.p2[j] = std::max(out.p2[j], resolution[j]);
     if (models > 1) out.entropy[j] = out.p2[j] > 0 ? entropy(x, out.p1[j], out.p2[j]) : 1;
     eligible[j] = used(use, static_cast<Eigen::Index>(j));
     if (eligible[j] && models > 1) out.weights[j] = 1 - out.entropy[j];

@@ -33,11 +33,11 @@ std::vector<std::string> confusion_row(const Recovery& r, std::size_t p) {
   return row;
 }
 
-Json parameters(const Recovery& r, std::size_t p) {
+Json parameters(const std::string& name, const std::vector<double>& values) {
   Json out = Json::object();
-  const ModelChoice model = parse_model(r.planted[p]);
-  for (std::size_t k = 0; k < model.spec->parameters.size(); ++k)
-    if (model.spec->uses(k, model.options)) out[std::string(model.spec->parameters[k].name)] = r.parameters[p][k];
+  const ModelChoice model = parse_model(name);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (model.spec->uses(k, model.options)) out[std::string(model.spec->parameters[k].name)] = values[k];
   return out;
 }
 
@@ -75,13 +75,17 @@ std::string to_json(const Recovery& r, const Settings& conditions) {
   for (const auto& [name, value] : conditions) settings[name] = value;
   for (std::size_t p = 0; p < r.planted.size(); ++p)
     planted.push_back({{"name", r.planted[p]},
-                       {"parameters", parameters(r, p)},
+                       {"parameters", parameters(r.planted[p], r.parameters[p])},
                        {"ranked_first", r.confusion[p]},
                        {"recovered", recovered(r, p)},
                        {"recordings", recordings(r, p)}});
   for (const RecoveryCase& c : r.cases)
-    cases.push_back(
-        {{"planted", r.planted[c.planted]}, {"seed", c.seed}, {"order", c.order}, {"scores", c.scores}, {"score_se", c.score_se}});
+    cases.push_back({{"planted", r.planted[c.planted]},
+                     {"seed", c.seed},
+                     {"parameters", parameters(r.planted[c.planted], c.parameters)},
+                     {"order", c.order},
+                     {"scores", c.scores},
+                     {"score_se", c.score_se}});
   const Json all = {{"schema", "swarmfit-recovery/1"},
                     {"conditions", std::move(settings)},
                     {"compared", r.compared},

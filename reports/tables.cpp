@@ -109,8 +109,9 @@ std::string lags(const Comparison& c) {
 }
 
 std::string normalisation(const Comparison& c) {
-  Csv csv = with_header({"metric", "p1", "p2"});
-  for (std::size_t m = 0; m < c.columns.size(); ++m) csv.field(c.columns[m].key()).field(c.p1[m]).field(c.p2[m]).end();
+  Csv csv = with_header({"metric", "p1", "p2", "resolution"});
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    csv.field(c.columns[m].key()).field(c.p1[m]).field(c.p2[m]).field(c.resolution[m]).end();
   return csv.take();
 }
 

@@ -261,6 +261,21 @@ TEST(Energy, PhysicalUnitsUseThePercentileRange) {
   EXPECT_EQ(target.worst(), 20);
 }
 
+TEST(Misplacement, SaysWhichOfTwoDisjointSimulationsIsNearer) {
+  const auto spread = normals(1, 2000, 100, 10);
+  const Target target(all(spread), Binning::standard(Normalisation::reference));
+  const double mean = target.recording()[kSpeed].moments.mean, sd = target.recording()[kSpeed].moments.sd();
+  const auto far = target.distributions(all({mean + 50 * sd, mean + 50 * sd})), farther = target.distributions(all({mean - 400 * sd}));
+  EXPECT_DOUBLE_EQ(target.energies(far)[kSpeed], target.energies(farther)[kSpeed]) << "the energy cannot tell";
+  EXPECT_NEAR(target.misplacement(far)[kSpeed], std::log(51), 1e-12);
+  EXPECT_NEAR(target.misplacement(farther)[kSpeed], std::log(401), 1e-12);
+  EXPECT_EQ(target.misplacement(target.distributions(all({mean + 1e9 * sd})))[kSpeed], kMostMisplaced);
+  EXPECT_EQ(target.misplacement(target.distributions(all(spread)))[kSpeed], 0);
+  EXPECT_EQ(target.misplacement(target.distributions(MetricSamples()))[kSpeed], 0) << "nothing to say";
+  const Target shape(all(spread), Binning::standard(Normalisation::separate));
+  EXPECT_THAT(shape.misplacement(far), Each(0.0)) << "only the shape counts";
+}
+
 TEST(Energy, ChecksTheNumberOfBins) {
   const auto x = all(normals(12, 50));
   EXPECT_THROW(Target(x, {}).energies(Target(x, {.bins = 50}).distributions(x)), std::invalid_argument);

@@ -241,6 +241,22 @@ TEST(ErrorShare, IsNotDecidedByAFewWildValues) {
   EXPECT_GT(before, 0.85);
 }
 
+// Straight flight at 200 mm/s with a sharp turn every 25 frames: an error of a micrometre is most of what the bulk of the accelerations
+// is made of, and moves no histogram.
+TEST(ErrorShare, OfWhatNoHistogramCanShowIsNothing) {
+  const auto zigzag = test::rows_of(10, 200, kDt, [](std::uint32_t i, double t) {
+    const double leg = 0.25, phase = t + 0.013 * i, k = std::floor(phase / leg), rest = phase - k * leg;
+    const double across = std::fmod(k, 2.0) == 0 ? rest : leg - rest;
+    return std::array<double, 3>{200 * t, 200 * across, 30.0 * i};
+  });
+  const Tracks seen = with_error(tracks_of(zigzag, {.dt = kDt}), {1e-3, 1e-3, 1e-3}, 1);
+  const auto share = error_share(seen, {1e-3, 1e-3, 1e-3}, 2);
+  EXPECT_EQ(share[kAcceleration], 0);
+  EXPECT_EQ(share[kJerk], 0);
+  const auto gross = error_share(with_error(seen, {5, 5, 5}, 3), {5, 5, 5}, 2);
+  EXPECT_GT(gross[kJerk], 0.8) << "an error that shows counts";
+}
+
 TEST(ErrorShare, UndefinedMetricsAreNaN) {
   for (const double s : error_share(Tracks(), {1, 1, 1}, 1)) EXPECT_TRUE(std::isnan(s));
   const auto share = error_share(tracks_of({{0, 0, {0, 0, 0}}, {0, 1, {1, 0, 0}}}), {1, 1, 1}, 1);

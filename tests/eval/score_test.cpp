@@ -24,6 +24,28 @@ MatrixXd example() {
 }
 
 // Numbers worked out by hand and checked by an independent program (tests/reference/evaluate.py weigh).
+// Two columns of equal relative differences; of the second the recording can tell only four times what there is.
+TEST(EntropyWeights, DifferencesBelowTheResolutionDoNotCountInFull) {
+  MatrixXd x(3, 2);
+  x << 1, 1, 2, 2, 3, 3;
+  const Weighting plain = entropy_weights(x), floored = entropy_weights(x, {}, {0, 8});
+  EXPECT_EQ(plain.p2, (std::vector<double>{2, 2}));
+  EXPECT_EQ(floored.p2, (std::vector<double>{2, 8}));
+  EXPECT_EQ(plain.weights[1], 0.5);
+  const auto by_hand = [](const std::vector<double>& r) {
+    double total = 0, sum = 0;
+    for (const double v : r) total += v;
+    for (const double v : r) sum += v > 0 ? v / total * std::log(v / total) : 0;
+    return 1 + sum / std::log(3);
+  };
+  const double first = by_hand({1, 0.5, 0}), second = by_hand({1, 0.875, 0.75});
+  EXPECT_NEAR(floored.weights[1], second / (first + second), 1e-14);
+  EXPECT_LT(floored.weights[1], 0.02);
+  EXPECT_EQ(entropy_weights(x, {}, {1, 1}).weights, plain.weights) << "a range beyond the resolution stays";
+  EXPECT_EQ(entropy_weights(MatrixXd::Ones(3, 2), {}, {1, 1}).p2[0], 0) << "no range is no range";
+  EXPECT_THROW(entropy_weights(x, {}, {1}), std::invalid_argument);
+}
+
 TEST(EntropyWeights, WorkedExample) {
   const Weighting w = entropy_weights(example());
   EXPECT_THAT(w.entropy, ElementsAre(rounds_to(.765247), rounds_to(.779436), is(1)));

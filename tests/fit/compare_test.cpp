@@ -8,6 +8,8 @@
 #include <map>
 
 #include "fit/objective.h"
+#include "fit/recovery.h"
+#include "libeval/skill.h"
 #include "libtrack/error.h"
 #include "tests/fit/planted.h"
 
@@ -161,8 +163,47 @@ TEST(Compare, WeightsAreThoseOfTheEnergiesShown) {
   for (Index m = 0; m < 3; ++m)
     for (std::size_t j = 0; j < kMetrics; ++j) table(m, static_cast<Index>(j)) = result.models[static_cast<std::size_t>(m)].raw_energies[j];
   const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
-  const Weighting expected = entropy_weights(table, used);
+  const Weighting expected = entropy_weights(table, used, {result.resolution.begin(), result.resolution.end()});
   for (std::size_t j = 0; j < kMetrics; ++j) EXPECT_NEAR(result.weights[j], expected.weights[j], 1e-12);
+}
+
+TEST(Compare, ResolutionIsHalfTheEnergyBetweenHalvesAndCanBeLeftOut) {
+  const Tracks recording = test::planted_swarm(4);
+  auto options = tiny({"bswarm", "boids"});
+  const Comparison result = compare(recording, options);
+  const HalfDistance halves(recording);
+  for (std::size_t j = 0; j < kMetrics; ++j) {
+    EXPECT_NEAR(result.resolution[j], 0.5 * 20 * halves.floor()[j], 1e-12);
+    if (result.p2[j] > 0) {
+      EXPECT_GE(result.p2[j], result.resolution[j]);
+    }
+  }
+  options.resolution = false;
+  const Comparison literal = compare(recording, options);
+  for (std::size_t j = 0; j < kMetrics; ++j) {
+    EXPECT_EQ(literal.resolution[j], 0);
+    const double a = literal.models[0].raw_energies[j], b = literal.models[1].raw_energies[j];
+    EXPECT_NEAR(literal.p2[j], std::abs(a - b), 1e-12);
+  }
+}
+
+// A constant speed has the worst energy unless it is met within a part in a hundred: only the means say where to look.
+TEST(Compare, ASpeedThatHardlyVariesIsFound) {
+  const auto model = parse_model("rvo");
+  const Scales scales{100, 70, 225};
+  PlantOptions film;
+  film.agents = 10;
+  film.frames = 150;
+  film.dt = 0.01;
+  film.unit = "mm";
+  const Tracks recording = planted_recording(model, planted_parameters(model, scales, {{"max_speed", 137}}), film, scales, 1);
+  auto options = tiny({"rvo"});
+  options.budget = {"small", {16, 12, 1}, {6, 4, 2}, 2, 2, 1};
+  const FitResult fit = compare(recording, options).models.front();
+  for (const ParameterResult& p : fit.parameters)
+    if (p.name == "max_speed") {
+      EXPECT_NEAR(p.value, 137, 1.5);
+    }
 }
 
 TEST(Compare, OneModelIsFittedWithEqualWeights) {

@@ -35,6 +35,37 @@ TEST(Recovery, PlantsTheFitTablesDefaultsInTheGivenScales) {
   EXPECT_THROW(planted_parameters(model, scales, {{"gama", 1}}), InputError);
 }
 
+TEST(Recovery, PlantedParametersLieAboutTheDefaultsAndWithinTheBounds) {
+  const auto model = parse_model("bswarm");
+  const Scales scales{100, 70, 225};
+  const auto middle = planted_parameters(model, scales, {{"gamma", 0.02}});
+  EXPECT_EQ(varied(model, middle, scales, 1, 5), middle);
+  double lowest = 1e9, highest = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const auto values = varied(model, middle, scales, 2, seed, {{"gamma", 0.02}});
+    for (std::size_t p = 0; p < values.size(); ++p) {
+      const Parameter& row = model.spec->parameters[p];
+      if (!row.fitted || row.name == "gamma" || !model.spec->uses(p, model.options)) {
+        EXPECT_EQ(values[p], middle[p]) << row.name;
+        continue;
+      }
+      EXPECT_GE(values[p], middle[p] / 2);
+      EXPECT_LE(values[p], middle[p] * 2);
+      lowest = std::min(lowest, values[p] / middle[p]);
+      highest = std::max(highest, values[p] / middle[p]);
+    }
+  }
+  EXPECT_LT(lowest, 0.55);
+  EXPECT_GT(highest, 1.8);
+  const auto wild = varied(model, middle, scales, 100, 1);
+  for (std::size_t p = 0; p < wild.size(); ++p) {
+    const Parameter& row = model.spec->parameters[p];
+    if (row.fitted && model.spec->uses(p, model.options)) {
+      EXPECT_LE(wild[p], row.fit.upper * row.scale(scales) * (1 + 1e-12));
+    }
+  }
+}
+
 TEST(Recovery, RecordingsHaveTheScalesTheyWereAskedFor) {
   const auto model = parse_model("boids");
   RecoveryOptions o = tiny();

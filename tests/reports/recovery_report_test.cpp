@@ -18,7 +18,8 @@ Recovery sample() {
   Recovery r;
   r.planted = r.compared = {"bswarm", "boids"};
   for (const auto& name : r.planted) r.parameters.emplace_back(parse_model(name).spec->parameters.size(), 1.0);
-  r.cases = {{0, 1, {"bswarm", "boids"}, {0.9, 0.1}, {0.01, NAN}, 1}, {1, 1, {"bswarm", "boids"}, {0.6, 0.4}, {0.01, 0.02}, 2}};
+  const auto& p = r.parameters;
+  r.cases = {{0, 1, p[0], {"bswarm", "boids"}, {0.9, 0.1}, {0.01, NAN}, 1}, {1, 1, p[1], {"bswarm", "boids"}, {0.6, 0.4}, {0.01, 0.02}, 2}};
   r.confusion = {{1, 0}, {1, 0}};
   return r;
 }
@@ -41,7 +42,8 @@ TEST(RecoveryReport, JsonHoldsConditionsParametersAndCases) {
   EXPECT_EQ(json["conditions"]["agents"], "10");
   EXPECT_EQ(json["planted"][1]["recovered"], 0);
   EXPECT_EQ(json["planted"][1]["parameters"]["speed"], 1.0);
-  EXPECT_EQ(json["cases"].size(), 2u);
+  ASSERT_EQ(json["cases"].size(), 2u);
+  EXPECT_EQ(json["cases"][1]["parameters"]["speed"], 1.0);
 }
 
 TEST(RecoveryReport, WritesARunThatNamesItsConditions) {
