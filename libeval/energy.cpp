@@ -74,7 +74,7 @@ SWARMFIT_HOT std::int64_t bins_of(const double* x, std::size_t n, const ZScore& 
     load(x + i, value);
     const Lanes score = (value - z.shift) / z.scale;
     outside -= (score < lower) | (score > upper);
-    undefined |= score != score;
+    undefined |= score != score;  // NaN  NOLINT(misc-redundant-expression)
     const Lanes high = score > upper ? upper : score, within = high >= lower ? high : lower;
     const Lanes place = (within - lower) * per_unit;
     const Four bins = __builtin_convertvector(place < last ? place : last, Four);

@@ -82,7 +82,7 @@ struct ModelSpec {
   bool needs_reference = false;  // cannot be made without a recording (FASTSWARM)
   double native_dt = 0.01;       // of scenes [s]
   double largest_dt = 0.025;     // of fits, in units of T: the step that is still stable anywhere inside the fit bounds
-  std::string_view quiet = "";   // options or parameters that leave no randomness: "noise=none", "eta=0,xi=0"; empty: there is none anyway
+  std::string_view quiet = {};   // options or parameters that leave no randomness: "noise=none", "eta=0,xi=0"; empty: there is none anyway
   std::vector<Option> options;
   std::vector<std::string_view> columns;  // names of its private columns in State::own
   std::vector<Parameter> parameters;

@@ -94,11 +94,11 @@ SWARMFIT_HOT void three_potentials(const Query& query, Ramps& out) {
     corner[c] = {gx * (x.t - (c & 1)) + gy * (y.t - (c >> 1 & 1)) + gz * (z.t - (c >> 2)), gx, gy, gz};
   }
   Ramps edge[4], face[2];
-  for (int k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < 4; ++k) {
     edge[k] = mixed(corner[2 * k], corner[2 * k + 1], x.fade);
     edge[k].x += x.slope * (corner[2 * k + 1].value - corner[2 * k].value);
   }
-  for (int k = 0; k < 2; ++k) {
+  for (std::size_t k = 0; k < 2; ++k) {
     face[k] = mixed(edge[2 * k], edge[2 * k + 1], y.fade);
     face[k].y += y.slope * (edge[2 * k + 1].value - edge[2 * k].value);
   }

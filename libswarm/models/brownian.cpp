@@ -88,7 +88,7 @@ SWARMFIT_HOT bool pull(Rows& place, Rows& force, Index i, const Strength& s) {
       f -= s.c_a / s.l_a * e;
     }
     same |= (d2 == 0) & (later > 0);
-    f = (d2 < s.radius2) & (d2 > 0) & (later > 0) ? f / distance : Lanes{};
+    f = ((d2 < s.radius2) & (d2 > 0) & (later > 0)) ? f / distance : Lanes{};
 #pragma GCC unroll 3
     for (Index k = 0; k < 3; ++k) {
       Lanes theirs;
