@@ -199,6 +199,8 @@ TEST(Compare, ASpeedThatHardlyVariesIsFound) {
   const Tracks recording = planted_recording(model, planted_parameters(model, scales, {{"max_speed", 137}}), film, scales, 1);
   auto options = tiny({"rvo"});
   options.budget = {"small", {16, 12, 1}, {6, 4, 2}, 2, 2, 1};
+  options.requests.set["max_speed"] = 1500;  // where the search starts: the default would be the recorded speed, which is the answer
+  options.requests.bounds["max_speed"] = {20, 2000};
   const FitResult fit = compare(recording, options).models.front();
   for (const ParameterResult& p : fit.parameters)
     if (p.name == "max_speed") {
