@@ -187,7 +187,7 @@ TEST(Compare, ResolutionIsHalfTheEnergyBetweenHalvesAndCanBeLeftOut) {
   }
 }
 
-// A constant speed has the worst energy unless it is met within a part in a hundred: only the means say where to look.
+// A constant speed has the worst energy unless it is met within a part in a hundred.
 TEST(Compare, ASpeedThatHardlyVariesIsFound) {
   const auto model = parse_model("rvo");
   const Scales scales{100, 70, 225};
