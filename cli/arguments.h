@@ -46,7 +46,7 @@ struct FitArguments {
 struct RecoverArguments {
   Common common;
   std::vector<std::string> models, planted, set;
-  std::string preset, out, budget = "quick", protocol = "default", observation_error, lags;
+  std::string preset, out, budget = "quick", protocol = "default", observation_error, lags, resolution;
   std::int64_t max_evaluations = 0, frames = 300;
   int seeds = 10, agents = 10, dims = 3;
   double fps = 100, noise = 0, dropout = 0, spread = 2;

@@ -230,6 +230,7 @@ struct Program {
     sub.add_option("--unit", a.unit, "name of the length unit")->capture_default_str();
     sub.add_option("--obs-noise", a.observation_error, "as in compare");
     sub.add_option("--lags", a.lags, "as in compare; auto chooses for every recording");
+    sub.add_option("--resolution", a.resolution, "as in compare")->check(CLI::IsMember({"recording", "none"}));
     sub.add_option("--protocol", a.protocol, "as in compare")->check(CLI::IsMember({"default", "ren2016"}))->capture_default_str();
     sub.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
     sub.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);

@@ -27,6 +27,7 @@ RecoveryOptions recovery_options(const RecoverArguments& a) {
   fit.max_evaluations = a.max_evaluations;
   fit.observation_error = a.observation_error;
   fit.lags = a.lags;
+  fit.resolution = a.resolution;
   RecoveryOptions o;
   o.compare = compare_options(with_protocol(fit));
   o.planted = a.planted.empty() ? o.compare.models : parse_models(a.planted);
@@ -74,6 +75,7 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   if (a.max_evaluations > 0) s.emplace_back("max-evaluations", std::to_string(a.max_evaluations));
   if (!a.observation_error.empty()) s.emplace_back("obs-noise", quoted(a.observation_error));
   if (!a.lags.empty()) s.emplace_back("lags", quoted(a.lags));
+  if (!a.resolution.empty()) s.emplace_back("resolution", quoted(a.resolution));
   std::vector<std::string> set;
   for (const auto& text : a.set) set.push_back(quoted(text));
   if (!set.empty()) s.emplace_back("set", fmt::format("[{}]", fmt::join(set, ", ")));

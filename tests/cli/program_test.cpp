@@ -192,6 +192,9 @@ TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
   EXPECT_THAT(r.out, AllOf(HasSubstr("planted \\ ranked first"), HasSubstr("of 1")));
   ASSERT_EQ(run("recover --config r/config.toml -q --out again").code, 0);
   EXPECT_EQ(content(dir_ / "r/tables/cases.csv"), content(dir_ / "again/tables/cases.csv"));
+  ASSERT_EQ(run(job + "--resolution none --out bare").code, 0);
+  EXPECT_THAT(content(dir_ / "bare/config.toml"), HasSubstr("resolution = \"none\""));
+  EXPECT_NE(content(dir_ / "r/tables/cases.csv"), content(dir_ / "bare/tables/cases.csv"));
   expect_refused("recover -m bswarm", "fewer than two models");
   expect_refused("recover -m bswarm,boids --plant brownies", "brownies");
   expect_refused("recover -m bswarm,boids --set speed=3", "model.parameter=value");
