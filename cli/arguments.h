@@ -34,7 +34,7 @@ struct FitArguments {
   std::int64_t max_evaluations = 0;
   std::vector<std::string> set, fix, bounds;
   std::string presence = "recorded", arena = "open", velocity = "difference", protocol = "default";
-  std::string normalisation, observation_error, lags, resolution;  // empty: the protocol's
+  std::string normalisation, observation_error, lags, resolution, calibration;  // empty: the protocol's
   double smoothing = 0;
   double error_limit = -1;  // negative: the protocol's
   int bins = 0;
@@ -46,7 +46,7 @@ struct FitArguments {
 struct RecoverArguments {
   Common common;
   std::vector<std::string> models, planted, set;
-  std::string preset, out, budget = "quick", protocol = "default", observation_error, lags, resolution;
+  std::string preset, out, budget = "quick", protocol = "default", observation_error, lags, resolution, calibration;
   std::int64_t max_evaluations = 0, frames = 300;
   int seeds = 10, agents = 10, dims = 3;
   double fps = 100, noise = 0, dropout = 0, spread = 2;

@@ -74,6 +74,9 @@ void add_fit(CLI::App& app, FitArguments& a) {
                  "recording (default): differences between models below what the recording can tell do not count in full; none: they do, "
                  "as published")
       ->check(CLI::IsMember({"recording", "none"}));
+  app.add_option("--calibration", a.calibration,
+                 "later passes search under the mean of all passes' weights (default), or under the last weights, as published")
+      ->check(CLI::IsMember({"mean", "last"}));
   app.add_option("--lags", a.lags,
                  "measure motion over this many frames, each lag as metrics of its own: 1,4,16; or auto (default), which adds to 1 the "
                  "shortest lag at which no metric of motion is past the error limit");
@@ -231,6 +234,7 @@ struct Program {
     sub.add_option("--obs-noise", a.observation_error, "as in compare");
     sub.add_option("--lags", a.lags, "as in compare; auto chooses for every recording");
     sub.add_option("--resolution", a.resolution, "as in compare")->check(CLI::IsMember({"recording", "none"}));
+    sub.add_option("--calibration", a.calibration, "as in compare")->check(CLI::IsMember({"mean", "last"}));
     sub.add_option("--protocol", a.protocol, "as in compare")->check(CLI::IsMember({"default", "ren2016"}))->capture_default_str();
     sub.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
     sub.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);

@@ -28,6 +28,7 @@ RecoveryOptions recovery_options(const RecoverArguments& a) {
   fit.observation_error = a.observation_error;
   fit.lags = a.lags;
   fit.resolution = a.resolution;
+  fit.calibration = a.calibration;
   RecoveryOptions o;
   o.compare = compare_options(with_protocol(fit));
   o.planted = a.planted.empty() ? o.compare.models : parse_models(a.planted);
@@ -76,6 +77,7 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   if (!a.observation_error.empty()) s.emplace_back("obs-noise", quoted(a.observation_error));
   if (!a.lags.empty()) s.emplace_back("lags", quoted(a.lags));
   if (!a.resolution.empty()) s.emplace_back("resolution", quoted(a.resolution));
+  if (!a.calibration.empty()) s.emplace_back("calibration", quoted(a.calibration));
   std::vector<std::string> set;
   for (const auto& text : a.set) set.push_back(quoted(text));
   if (!set.empty()) s.emplace_back("set", fmt::format("[{}]", fmt::join(set, ", ")));

@@ -166,6 +166,7 @@ FitArguments with_protocol(FitArguments a) {
   if (a.lags.empty()) a.lags = literal ? "1" : "auto";
   if (a.error_limit < 0) a.error_limit = literal ? 1 : 0.5;
   if (a.resolution.empty()) a.resolution = literal ? "none" : "recording";
+  if (a.calibration.empty()) a.calibration = literal ? "last" : "mean";
   return a;
 }
 
@@ -193,6 +194,7 @@ CompareOptions compare_options(const FitArguments& a) {
   o.lags = parse_lags(a.lags);
   o.error_limit = a.error_limit;
   o.resolution = a.resolution == "recording";
+  o.mean_weights = a.calibration == "mean";
   return o;
 }
 
@@ -233,6 +235,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("obs-noise", a.observation_error);
   out.emplace_back("error-limit", fmt::format("{}", a.error_limit));
   text("resolution", a.resolution);
+  text("calibration", a.calibration);
   text("lags", a.lags);
   positive("smooth", a.smoothing);
   text("velocity", a.velocity);

@@ -38,10 +38,10 @@ PerColumn<double> per_column(const std::vector<double>& values) {
 }
 
 // Step 3 and 4 of Par-Est: weights and p1, p2 from the energy table; how far did the weights move?
-WeightStep weight_step(int pass, const Weighting& now, const Weighting& before) {
+WeightStep weight_step(int pass, const Weighting& searched, const Weighting& now, const Weighting& before) {
   double change = 0;
   for (std::size_t j = 0; j < now.weights.size(); ++j) change = std::max(change, std::abs(now.weights[j] - before.weights[j]));
-  return {pass, per_column(now.weights), per_column(now.p1), per_column(now.p2), change};
+  return {pass, per_column(searched.weights), per_column(now.weights), per_column(now.p1), per_column(now.p2), change};
 }
 
 double standard_error(const std::vector<double>& values) {
@@ -49,6 +49,15 @@ double standard_error(const std::vector<double>& values) {
   for (const double v : values) moments.add(v);
   const auto n = static_cast<double>(moments.count);
   return n > 1 ? std::sqrt(moments.m2 / (n - 1) / n) : NAN;
+}
+
+// What the next pass minimises: the last table's p1 and p2, and the mean of the weights of all passes and those before the first, which
+// `searched` holds but for the last. Under the last weights alone all models fit what told them apart, become alike in it, neglect it in
+// the next pass, and so on in turns.
+Weighting mean_weighting(const Weighting& searched, Weighting last, int pass) {
+  for (std::size_t j = 0; j < last.weights.size(); ++j)
+    last.weights[j] = searched.weights[j] + (last.weights[j] - searched.weights[j]) / (pass + 1);
+  return last;
 }
 
 // The comparison in progress: one search per model, and the weights they are judged by.
@@ -63,20 +72,22 @@ class Calibration {
 
   // Par-Est, steps 1 to 5.
   void run(Comparison& result) {
-    weighting_ = initial_weighting(used_, target_.worst());
+    Weighting searched = initial_weighting(used_, target_.worst());
+    weighting_ = searched;
     const int passes = searches_.size() < 2 ? 1 : options_.budget.passes;
     for (int pass = 1; pass <= passes; ++pass) {
       for (std::size_t m = 0; m < searches_.size(); ++m)
-        searches_[m].pass(pass, weighting_,
+        searches_[m].pass(pass, searched,
                           [&](std::int64_t simulations, double best) { return tell(m, pass, passes, simulations, best); });
       if (searches_.size() < 2) break;
       const Weighting next = entropy_weights(energy_table(searches_), used_, {result.resolution.begin(), result.resolution.end()});
-      result.weight_history.push_back(weight_step(pass, next, weighting_));
+      result.weight_history.push_back(weight_step(pass, searched, next, weighting_));
       weighting_ = next;
       if (result.weight_history.back().largest_change < options_.weight_tolerance) {
         result.weights_converged = true;
         break;
       }
+      searched = options_.mean_weights ? mean_weighting(searched, weighting_, pass) : weighting_;
     }
   }
 
@@ -187,6 +198,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.observation = observation_facts(conditions, target, options);
   result.resolution = resolution(conditions, target, options);
   const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
+  result.mean_weights = options.mean_weights;
   Calibration calibration(options, conditions, target, used, result.history, on_progress);
   calibration.run(result);
 

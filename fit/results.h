@@ -167,8 +167,9 @@ struct HistoryRow {
 // One pass of the calibration loop.
 struct WeightStep {
   int pass;
-  PerColumn<double> weights, p1, p2;
-  double largest_change;  // max |w - w before|
+  PerColumn<double> searched;         // weights that its searches minimised
+  PerColumn<double> weights, p1, p2;  // of the energies they found
+  double largest_change;              // max |w - w before|
 };
 
 struct Comparison {
@@ -189,6 +190,7 @@ struct Comparison {
   PerColumn<double> weights{}, p1{}, p2{};
   PerColumn<double> resolution;  // least p2: half the energy between halves of the recording; 0: none, or it cannot be told
   std::vector<WeightStep> weight_history;
+  bool mean_weights = true;  // each pass searches under the mean of the weights before it, else under the last
   bool weights_converged = false;
   std::vector<FitResult> models;                   // by rank
   std::vector<std::string> named;                  // canonical names in the order given

@@ -177,6 +177,8 @@ Html provenance(const Comparison& c) {
   out += fact("budget", fmt::format("{}: search {}, selection {}, confirmation on {}, report on {} replicates", c.budget.name,
                                     size_text(c.budget.search), size_text(c.budget.selection), c.budget.confirmation_replicates,
                                     c.budget.final_replicates));
+  out += fact("calibration", c.mean_weights ? "each pass searches under the mean of all weights so far"
+                                            : "each pass searches under the last weights, as published");
   out += fact("read as", c.data.format);
   out += fact("columns", c.data.columns);
   out += fact("SHA-256 of the recording", c.data.sha256, true);

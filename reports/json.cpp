@@ -117,6 +117,7 @@ Json weight_history(const Columns& columns, const std::vector<WeightStep>& steps
   Json out = Json::array();
   for (const WeightStep& s : steps)
     out.push_back({{"pass", s.pass},
+                   {"searched", per_column(columns, s.searched)},
                    {"weights", per_column(columns, s.weights)},
                    {"p1", per_column(columns, s.p1)},
                    {"p2", per_column(columns, s.p2)},
@@ -229,6 +230,7 @@ std::string to_json(const Comparison& c) {
       {"p2", per_column(c.columns, c.p2)},
       {"resolution", per_column(c.columns, c.resolution)},
       {"weights_converged", c.weights_converged},
+      {"calibration", c.mean_weights ? "mean" : "last"},
       {"weight_history", weight_history(c.columns, c.weight_history)},
       {"models", std::move(models)},
       {"warnings", c.warnings},

@@ -205,7 +205,8 @@ TEST_F(Program, ProtocolSwitchesDefaultsAndFlagsWin) {
   ASSERT_EQ(run(job + "--out literal").code, 0);
   EXPECT_THAT(content(dir_ / "literal/config.toml"),
               AllOf(HasSubstr("protocol = \"ren2016\""), HasSubstr("normalisation = \"separate\""), HasSubstr("obs-noise = \"0\""),
-                    HasSubstr("resolution = \"none\""), HasSubstr("error-limit = 1"), HasSubstr("lags = \"1\"")));
+                    HasSubstr("resolution = \"none\""), HasSubstr("calibration = \"last\""), HasSubstr("error-limit = 1"),
+                    HasSubstr("lags = \"1\"")));
   EXPECT_THAT(content(dir_ / "literal/results.json"), AllOf(HasSubstr("\"protocol\": \"ren2016\""), HasSubstr("\"passes\": 10")));
   ASSERT_EQ(run(job + "--normalisation reference --obs-noise 0.3 --out mixed").code, 0);
   EXPECT_THAT(content(dir_ / "mixed/config.toml"), AllOf(HasSubstr("normalisation = \"reference\""), HasSubstr("obs-noise = \"0.3\"")));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -165,6 +166,26 @@ TEST(Compare, WeightsAreThoseOfTheEnergiesShown) {
   const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
   const Weighting expected = entropy_weights(table, used, {result.resolution.begin(), result.resolution.end()});
   for (std::size_t j = 0; j < kMetrics; ++j) EXPECT_NEAR(result.weights[j], expected.weights[j], 1e-12);
+}
+
+TEST(Compare, LaterPassesSearchUnderTheMeanOfAllWeightsOrUnderTheLast) {
+  auto options = tiny({"bswarm", "boids", "noise_aware"});
+  options.budget.passes = 3;
+  options.weight_tolerance = 0;
+  for (const bool mean : {true, false}) {
+    options.mean_weights = mean;
+    const Comparison result = compare(test::planted_swarm(4), options);
+    ASSERT_EQ(result.weight_history.size(), 3u);
+    const WeightStep &first = result.weight_history[0], &second = result.weight_history[1], &third = result.weight_history[2];
+    const double used = static_cast<double>(std::count(result.observation.used.begin(), result.observation.used.end(), true));
+    for (std::size_t j = 0; j < kMetrics; ++j) {
+      const double equal = result.observation.used[j] ? 1 / used : 0;
+      EXPECT_NEAR(first.searched[j], equal, 1e-15);
+      EXPECT_NEAR(second.searched[j], mean ? (equal + first.weights[j]) / 2 : first.weights[j], 1e-15);
+      EXPECT_NEAR(third.searched[j], mean ? (equal + first.weights[j] + second.weights[j]) / 3 : second.weights[j], 1e-15);
+      EXPECT_EQ(third.weights[j], result.weights[j]) << "the ranking's weights are those of its energies";
+    }
+  }
 }
 
 TEST(Compare, ResolutionIsHalfTheEnergyBetweenHalvesAndCanBeLeftOut) {

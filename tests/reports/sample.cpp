@@ -117,9 +117,9 @@ void add_weights(Comparison& c) {
   c.weights = {0.21, 0.18, 0.2, 0, 0, 0.26, 0.15};
   c.p1 = {0.4, 0.6, 0.5, 0.4, 0.7, 0.3, 0.5};
   c.p2 = {3.1, 4.0, 2.2, 1.9, 5.2, 2.4, 1.3};
-  c.weight_history = {{1, {0.2, 0.2, 0.2, 0, 0, 0.2, 0.2}, {}, {20, 20, 20, 20, 20, 20, 20}, 1},
-                      {2, {0.22, 0.17, 0.21, 0, 0, 0.25, 0.15}, c.p1, c.p2, 0.05},
-                      {3, c.weights, c.p1, c.p2, 0.0041}};
+  c.weight_history = {{1, {0.2, 0.2, 0.2, 0, 0, 0.2, 0.2}, {0.2, 0.2, 0.2, 0, 0, 0.2, 0.2}, {}, {20, 20, 20, 20, 20, 20, 20}, 1},
+                      {2, {0.2, 0.2, 0.2, 0, 0, 0.2, 0.2}, {0.22, 0.17, 0.21, 0, 0, 0.25, 0.15}, c.p1, c.p2, 0.05},
+                      {3, {0.207, 0.19, 0.203, 0, 0, 0.217, 0.183}, c.weights, c.p1, c.p2, 0.0041}};
   c.weights_converged = true;
 }
 
@@ -219,7 +219,7 @@ Comparison sample_at_lags() {
   for (double& w : c.weights) w *= 0.2;
   extend(c.weights, 2, [](double, std::size_t j) { return j < 12 ? 0.02 : 0.14; });
   for (WeightStep& s : c.weight_history)
-    for (auto* values : {&s.weights, &s.p1, &s.p2}) extend(*values, 2, same);
+    for (auto* values : {&s.searched, &s.weights, &s.p1, &s.p2}) extend(*values, 2, same);
   for (LeftOut& w : c.without) extend(w.weights, 2, same);
   for (FitResult& r : c.models) extend(r, 2);
   for (HistoryRow& row : c.history) extend(row.raw, 2, same);
