@@ -7,6 +7,8 @@
 #include <map>
 #include <mutex>
 
+#include "fit/screening.h"
+
 namespace swarmfit {
 namespace {
 
@@ -54,7 +56,7 @@ ModelSearch::Round ModelSearch::on_seeds(const CompareOptions& options, Stream s
 void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& on_search) {
   if (space_.dimensions() > 0) {
     if (number == 1) {  // the table's defaults are in the recording's scales: the one candidate that is not a guess
-      keep(search_, space_.start(), objective_.evaluate(space_.parameters(space_.start()), search_.seeds), number, "search");
+      keep(search_, space_.start(), simulate(search_, {space_.start()}).front(), number, "search");
       ++evaluations_;
     }
     const auto &wide = options_.budget.search, &narrow = options_.budget.selection;
@@ -96,13 +98,21 @@ std::vector<Evaluated> ModelSearch::leaders(const Round& round, const Weighting&
   return chosen;
 }
 
+std::vector<Outcome> ModelSearch::simulate(const Round& round, const std::vector<Point>& points, const Objective::Worth& worth) const {
+  std::vector<std::vector<double>> candidates;
+  for (const auto& x : points) candidates.push_back(space_.parameters(x));
+  const auto all = [](const std::vector<Outcome>& first) { return std::vector<bool>(first.size(), true); };
+  return objective_.race(candidates, round.seeds, screening_replicates(round.seeds.size()), worth ? worth : all);
+}
+
 void ModelSearch::keep(Round& round, const Point& x, const Outcome& outcome, int pass, const char* phase) {
   const auto values = space_.parameters(x);
-  HistoryRow row{index_, pass, phase, {}, outcome.raw, outcome.failed};
+  const auto replicates = static_cast<int>(outcome.replicates.size());
+  HistoryRow row{index_, pass, phase, {}, outcome.raw, replicates, outcome.failed};
   for (const auto p : space_.searched()) row.x.push_back(values[p]);
   history_.push_back(std::move(row));
-  round.archive.push_back({x, outcome.raw, outcome.guided});
-  simulations_ += static_cast<std::int64_t>(outcome.replicates.size());
+  if (outcome.replicates.size() == round.seeds.size()) round.archive.push_back({x, outcome.raw, outcome.guided, outcome.first});
+  simulations_ += replicates;
   failed_ += outcome.failed;
 }
 
@@ -119,18 +129,44 @@ Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const
   }
   std::mutex lock;
   std::map<Point, Outcome, Lexicographic> seen;
-  const auto cost = [&](const std::vector<Point>& points) {
-    std::vector<std::vector<double>> candidates;
-    for (const auto& x : points) candidates.push_back(space_.parameters(x));
-    auto outcomes = objective_.evaluate(candidates, round.seeds);
+  const auto remember = [&](const std::vector<Point>& points, std::vector<Outcome>& outcomes) {
     std::vector<double> costs;
     const std::lock_guard guard(lock);
     for (std::size_t k = 0; k < points.size(); ++k) {
-      costs.push_back(cost_of(outcomes[k].guided, weighting));
+      const bool given_up = outcomes[k].replicates.size() < round.seeds.size();
+      costs.push_back(given_up ? std::numeric_limits<double>::infinity() : cost_of(outcomes[k].guided, weighting));
       outcomes[k].distributions = {};  // large, and not needed again
       seen.insert_or_assign(points[k], std::move(outcomes[k]));
     }
     return costs;
+  };
+  const auto cost = [&](const std::vector<Point>& points) {
+    auto outcomes = simulate(round, points);
+    return remember(points, outcomes);
+  };
+  // Costs after the first replicates and after all.
+  struct Known {
+    double first, all;
+  };
+  std::map<Point, Known, Lexicographic> archived;
+  for (const auto& a : round.archive) archived.insert_or_assign(a.x, Known{cost_of(a.first, weighting), cost_of(a.guided, weighting)});
+  const auto known = [&](const Point& x) {
+    const auto old = archived.find(x);
+    return old != archived.end() ? old->second : Known{cost_of(seen.at(x).first, weighting), cost_of(seen.at(x).guided, weighting)};
+  };
+  Screening screening;
+  plan.genetic.race = [&](const std::vector<Point>& children, const std::vector<Point>& parents) {
+    std::vector<Known> rivals;
+    for (const Point& x : parents) rivals.push_back(known(x));
+    auto outcomes = simulate(round, children, [&](const std::vector<Outcome>& first) {
+      std::vector<bool> worth;
+      for (std::size_t k = 0; k < first.size(); ++k) worth.push_back(screening.worth(cost_of(first[k].first, weighting) - rivals[k].first));
+      return worth;
+    });
+    for (std::size_t k = 0; k < children.size(); ++k)
+      if (outcomes[k].replicates.size() == round.seeds.size())
+        screening.learn(cost_of(outcomes[k].first, weighting) - rivals[k].first, cost_of(outcomes[k].guided, weighting) - rivals[k].all);
+    return remember(children, outcomes);
   };
   const auto start = leaders(round, weighting, round.archive.size(), 0.0);
   Found found =
@@ -150,9 +186,9 @@ void ModelSearch::promote(const Round& from, Round& to, std::size_t most, double
   std::erase_if(chosen, [&](const Evaluated& e) {
     return std::any_of(to.archive.begin(), to.archive.end(), [&](const Archived& a) { return same(a.x, e.x); });
   });
-  std::vector<std::vector<double>> candidates;
-  for (const auto& leader : chosen) candidates.push_back(space_.parameters(leader.x));
-  const auto outcomes = objective_.evaluate(candidates, to.seeds);
+  std::vector<Point> points;
+  for (const auto& leader : chosen) points.push_back(leader.x);
+  const auto outcomes = simulate(to, points);
   for (std::size_t k = 0; k < chosen.size(); ++k) keep(to, chosen[k].x, outcomes[k], pass, phase);
 }
 

@@ -40,7 +40,7 @@ class ModelSearch {
  private:
   struct Archived {
     Point x;
-    Energies raw, guided;  // as in Outcome
+    Energies raw, guided, first;  // as in Outcome
   };
   // Candidates simulated on the same seeds, so that their energies can be compared, now and under later weightings.
   struct Round {
@@ -49,6 +49,8 @@ class ModelSearch {
     std::vector<Archived> archive;
     Point recommended;  // by the last search's response surface; empty before
   };
+  // Everything on all of the round's seeds, but what `worth` turns down after the first of them.
+  std::vector<Outcome> simulate(const Round& round, const std::vector<Point>& points, const Objective::Worth& worth = {}) const;
   static Round on_seeds(const CompareOptions& options, Stream stream, int replicates);
   // The best of an archive under these weights, no two nearer than `apart` in the unit cube: by what a search minimises, or by the score.
   static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,

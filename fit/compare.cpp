@@ -77,8 +77,7 @@ class Calibration {
     const int passes = searches_.size() < 2 ? 1 : options_.budget.passes;
     for (int pass = 1; pass <= passes; ++pass) {
       for (std::size_t m = 0; m < searches_.size(); ++m)
-        searches_[m].pass(pass, searched,
-                          [&](std::int64_t simulations, double best) { return tell(m, pass, passes, simulations, best); });
+        searches_[m].pass(pass, searched, [&](std::int64_t simulations, double best) { return tell(m, pass, passes, simulations, best); });
       if (searches_.size() < 2) break;
       const Weighting next = entropy_weights(energy_table(searches_), used_, {result.resolution.begin(), result.resolution.end()});
       result.weight_history.push_back(weight_step(pass, searched, next, weighting_));

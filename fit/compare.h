@@ -38,7 +38,7 @@ struct CompareProgress {
   std::string model;
   std::size_t index, models;  // index from 0
   int pass, passes;
-  std::int64_t simulations, planned;  // of this model in this pass; the plan may be cut short
+  std::int64_t simulations, planned;  // of this model in this pass, those saved by giving up included; the plan may be cut short
   double best;                        // score with the pass's weights
 };
 // Called after every generation; returning false interrupts.

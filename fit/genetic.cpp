@@ -134,7 +134,7 @@ class Evolution {
   SearchResult run(const std::vector<Evaluated>& start, const OnGeneration& on_generation);
 
  private:
-  std::vector<double> evaluate(const std::vector<Point>& points);
+  std::vector<double> evaluate(const std::vector<Point>& points, const std::vector<Point>& parents = {});
   void found_population(const std::vector<Evaluated>& start);
   void shrink();
   std::vector<Child> breed() const;
@@ -166,9 +166,9 @@ class Evolution {
   Record best_record_, elite_record_;
 };
 
-std::vector<double> Evolution::evaluate(const std::vector<Point>& points) {
+std::vector<double> Evolution::evaluate(const std::vector<Point>& points, const std::vector<Point>& parents) {
   if (points.empty()) return {};
-  std::vector<double> costs = cost_(points);
+  std::vector<double> costs = options_.race && !parents.empty() ? options_.race(points, parents) : cost_(points);
   assert(costs.size() == points.size());
   evaluations_ += static_cast<std::int64_t>(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -270,9 +270,12 @@ void Evolution::keep_replaced(Point parent, Draws& draws) {
 
 // A child replaces its own parent if it is cheaper.
 void Evolution::select(std::vector<Child> children) {
-  std::vector<Point> points;
-  for (const Child& child : children) points.push_back(child.x);
-  const std::vector<double> costs = evaluate(points);
+  std::vector<Point> points, parents;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    points.push_back(children[i].x);
+    parents.push_back(population_[i].x);
+  }
+  const std::vector<double> costs = evaluate(points, parents);
   std::vector<Memory::Success> successes;
   Draws draws(rng_, generation_, options_.population);  // a candidate number that no child has
   for (std::size_t i = 0; i < children.size(); ++i) {

@@ -23,6 +23,9 @@ inline bool same(const Point& a, const Point& b) { return (a - b).lpNorm<Eigen::
 // can run it in parallel. Must be a function of the points alone.
 using BatchCost = std::function<std::vector<double>(const std::vector<Point>&)>;
 
+// The same for children that are of use only if they are cheaper than their parents: +inf also for one that was given up as too dear.
+using RaceCost = std::function<std::vector<double>(const std::vector<Point>& children, const std::vector<Point>& parents)>;
+
 struct Evaluated {
   Point x;
   double cost = 0;
@@ -40,7 +43,7 @@ std::string to_string(Stop);
 
 struct SearchResult {
   std::vector<Evaluated> best;     // distinct, ascending in cost, none failed
-  std::vector<Evaluated> visited;  // every point evaluated, in order; cost +inf: failed
+  std::vector<Evaluated> visited;  // every point evaluated, in order; cost +inf: failed or given up
   std::int64_t evaluations = 0;    // = visited.size()
   int generations = 0;
   Stop stop = Stop::generations;
@@ -56,6 +59,8 @@ struct GeneticOptions {
   double gain = 1e-3;
   // Hard limit where it is less than planned; 0: none.
   std::int64_t max_evaluations = 0;
+  // In place of BatchCost for all but the first population; none: BatchCost.
+  RaceCost race = {};
 };
 
 // Told after every generation, the initial sample being the first; returning false interrupts the search.

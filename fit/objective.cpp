@@ -20,7 +20,7 @@ void add(Counters& sum, const Counters& part) {
   sum.halved_steps += part.halved_steps;
 }
 
-void append(MetricSamples& all, MetricSamples part) {
+void append(MetricSamples& all, const MetricSamples& part) {
   for (std::size_t m = 0; m < all.values.size(); ++m)
     all.values[m].insert(all.values[m].end(), part.values[m].begin(), part.values[m].end());
 }
@@ -95,18 +95,18 @@ Objective::Trial Objective::run(const std::vector<double>& candidate, const Rng&
   return trial;
 }
 
-Outcome Objective::pool(std::span<Trial> trials) const {
+Outcome Objective::pool(const std::vector<Trial>& trials) const {
   const std::size_t columns = target_.columns().size();
   Outcome out;
   out.raw = out.guided = Energies(columns);
   out.distributions = PerColumn<Distribution>(columns);
   MetricSamples samples(target_.columns());
-  for (Trial& trial : trials) {
+  for (const Trial& trial : trials) {
     out.replicates.push_back(trial.raw);
     out.failed += trial.failed;
     add(out.count, trial.count);
     if (trial.failed) continue;
-    if (target_.binning().normalisation == Normalisation::separate) append(samples, std::move(trial.samples));
+    if (target_.binning().normalisation == Normalisation::separate) append(samples, trial.samples);
     for (std::size_t m = 0; m < columns; ++m) {
       out.distributions[m].histogram.add(trial.distributions[m].histogram);
       out.distributions[m].moments.add(trial.distributions[m].moments);
@@ -124,16 +124,47 @@ Outcome Objective::pool(std::span<Trial> trials) const {
   return out;
 }
 
-std::vector<Outcome> Objective::evaluate(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, int finer) const {
-  const auto replicates = static_cast<std::int64_t>(seeds.size());
-  const auto runs = static_cast<std::int64_t>(candidates.size()) * replicates;
-  std::vector<Trial> trials(static_cast<std::size_t>(runs));
+void Objective::extend(std::vector<std::vector<Trial>>& trials, const std::vector<std::vector<double>>& candidates,
+                       const std::vector<bool>& wanted, std::span<const Rng> seeds, int finer) const {
+  struct Job {
+    std::size_t candidate, trial;
+    const Rng* seed;
+  };
+  std::vector<Job> jobs;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    if (!wanted[c]) continue;
+    for (const Rng& seed : seeds) jobs.push_back({c, trials[c].size(), &seed}), trials[c].emplace_back();
+  }
 #pragma omp parallel for schedule(dynamic, 1)
-  for (std::int64_t k = 0; k < runs; ++k)
-    trials[static_cast<std::size_t>(k)] =
-        run(candidates[static_cast<std::size_t>(k / replicates)], seeds[static_cast<std::size_t>(k % replicates)], finer);
+  for (std::size_t k = 0; k < jobs.size(); ++k)
+    trials[jobs[k].candidate][jobs[k].trial] = run(candidates[jobs[k].candidate], *jobs[k].seed, finer);
+}
+
+std::vector<Outcome> Objective::evaluate(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, int finer) const {
+  std::vector<std::vector<Trial>> trials(candidates.size());
+  extend(trials, candidates, std::vector<bool>(candidates.size(), true), seeds, finer);
   std::vector<Outcome> out;
-  for (std::size_t c = 0; c < candidates.size(); ++c) out.push_back(pool(std::span(trials).subspan(c * seeds.size(), seeds.size())));
+  for (const auto& runs : trials) out.push_back(pool(runs));
+  return out;
+}
+
+std::vector<Outcome> Objective::race(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, std::size_t first,
+                                     const Worth& worth) const {
+  std::vector<std::vector<Trial>> trials(candidates.size());
+  extend(trials, candidates, std::vector<bool>(candidates.size(), true), seeds.first(first), 1);
+  std::vector<Outcome> out;
+  for (const auto& runs : trials) {
+    out.push_back(pool(runs));
+    out.back().first = out.back().guided;
+  }
+  const std::vector<bool> on = worth(out);
+  extend(trials, candidates, on, seeds.subspan(first), 1);
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    if (!on[c]) continue;
+    Energies heat = std::move(out[c].first);
+    out[c] = pool(trials[c]);
+    out[c].first = std::move(heat);
+  }
   return out;
 }
 

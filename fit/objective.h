@@ -2,6 +2,7 @@
 // From parameters to energies: simulate under the recording's conditions, observe, measure, compare.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,10 +13,11 @@
 
 namespace swarmfit {
 
-// One candidate over all its replicates.
+// One candidate over its replicates.
 struct Outcome {
   Energies raw;                           // pooled; a replicate that blew up counts with the worst energy; NaN: undefined in the recording
   Energies guided;                        // raw, and a little more the farther off the means are: what a search minimises
+  Energies first;                         // guided energies of the first replicates alone, where a race asked for them
   std::vector<Energies> replicates;       // of each replicate alone
   PerColumn<Distribution> distributions;  // pooled replicates
   int failed = 0;                         // replicates that blew up
@@ -33,6 +35,11 @@ class Objective {
   std::vector<Outcome> evaluate(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, int finer = 1) const;
   Outcome evaluate(const std::vector<double>& candidate, std::span<const Rng> seeds, int finer = 1) const;
 
+  // The same in two heats. Which candidates go on, judged by their Outcome::first; the others' outcomes hold the first replicates only.
+  using Worth = std::function<std::vector<bool>(const std::vector<Outcome>& first)>;
+  std::vector<Outcome> race(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, std::size_t first,
+                            const Worth& worth) const;
+
   // The observed tracks of one run: what evaluate() measures.
   Tracks simulate(const std::vector<double>& candidate, const Rng& seed, int finer = 1) const;
 
@@ -44,7 +51,10 @@ class Objective {
  private:
   struct Trial;
   Trial run(const std::vector<double>& candidate, const Rng& seed, int finer) const;
-  Outcome pool(std::span<Trial> trials) const;
+  // Runs on the seeds from `from` to before `to`, appended to those of each candidate that is wanted.
+  void extend(std::vector<std::vector<Trial>>& trials, const std::vector<std::vector<double>>& candidates, const std::vector<bool>& wanted,
+              std::span<const Rng> seeds, int finer) const;
+  Outcome pool(const std::vector<Trial>& trials) const;
   Tracks simulate(const std::vector<double>& candidate, const Rng& seed, int finer, Counters& count, bool& blew_up) const;
 
   const Conditions& conditions_;

@@ -161,7 +161,8 @@ struct HistoryRow {
   std::string phase;      // "search"; "select" and "refine", on seeds of their own; "confirm" and "final", each on others
   std::vector<double> x;  // searched parameters, physical units, in table order
   Energies raw{};
-  int failed = 0;  // replicates that blew up
+  int replicates = 0;  // in these energies: all of the phase, or only the first if it was given up
+  int failed = 0;      // replicates that blew up
 };
 
 // One pass of the calibration loop.

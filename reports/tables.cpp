@@ -201,11 +201,12 @@ std::vector<NamedTable> result_tables(const Comparison& c) {
 
 std::string history_csv(const Comparison& c) {
   Csv csv;
-  csv.fields({"model", "pass", "phase", "failed"});
+  csv.fields({"model", "pass", "phase", "replicates", "failed"});
   for (const Column& column : c.columns) csv.field(column.key());
   csv.field("parameters").end();
   for (const HistoryRow& row : c.history) {
-    csv.field(c.named.at(row.model)).field(std::int64_t{row.pass}).field(row.phase).field(std::int64_t{row.failed});
+    csv.field(c.named.at(row.model)).field(std::int64_t{row.pass}).field(row.phase).field(std::int64_t{row.replicates});
+    csv.field(std::int64_t{row.failed});
     for (const double energy : row.raw) csv.field(energy);
     csv.field(parameter_list(c.searched.at(row.model), row.x)).end();
   }

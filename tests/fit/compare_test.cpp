@@ -10,6 +10,7 @@
 
 #include "fit/objective.h"
 #include "fit/recovery.h"
+#include "fit/screening.h"
 #include "libeval/skill.h"
 #include "libtrack/error.h"
 #include "tests/fit/planted.h"
@@ -118,12 +119,18 @@ TEST(Compare, HistoryHoldsEveryEvaluationOnce) {
                                                  {"refine", budget.selection.replicates},
                                                  {"confirm", budget.confirmation_replicates},
                                                  {"final", budget.final_replicates}};
+  int given_up = 0;
   for (std::size_t m = 0; m < 2; ++m) {
     std::int64_t searched = 0, simulations = 0;
     for (const auto& row : result.history) {
       if (row.model != m) continue;
       searched += row.phase == "search" || row.phase == "refine";
-      simulations += replicates.at(row.phase);
+      simulations += row.replicates;
+      const auto all = replicates.at(row.phase);
+      const bool race = row.phase == std::string("search") || row.phase == std::string("refine");
+      EXPECT_TRUE(row.replicates == all ||
+                  (race && row.replicates == static_cast<int>(screening_replicates(static_cast<std::size_t>(all)))));
+      given_up += row.replicates < all;
     }
     for (const auto& fit : result.models) {
       if (fit.model != result.named[m]) continue;
@@ -131,6 +138,34 @@ TEST(Compare, HistoryHoldsEveryEvaluationOnce) {
       EXPECT_EQ(fit.simulations, simulations);
     }
   }
+  EXPECT_GT(given_up, 0);
+}
+
+TEST(Objective, ARaceThatNobodyLosesIsAnEvaluation) {
+  const Tracks recording = test::planted_swarm(3);
+  const auto model = parse_model("bswarm");
+  const Conditions conditions = make_conditions(recording, {});
+  const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
+  const Objective objective(model, conditions, target);
+  const auto truth = scene_parameters(model, test::midge_parameters());
+  auto other = truth;
+  other[static_cast<std::size_t>(model.spec->find("noise"))] *= 2;
+  const std::vector<std::vector<double>> candidates = {truth, other, truth};
+  const auto seeds = replicate_seeds({1}, Stream::replicate, 3);
+  const auto whole = objective.evaluate(candidates, seeds);
+  const auto first = objective.evaluate(candidates, {seeds.data(), 1});
+  const auto raced = objective.race(candidates, seeds, 1, [&](const std::vector<Outcome>& heat) {
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(heat[c].first, first[c].guided);
+    return std::vector<bool>{true, false, true};
+  });
+  for (const std::size_t c : {0, 2}) {
+    EXPECT_EQ(raced[c].raw, whole[c].raw);
+    EXPECT_EQ(raced[c].guided, whole[c].guided);
+    EXPECT_EQ(raced[c].replicates, whole[c].replicates);
+    EXPECT_EQ(raced[c].first, first[c].guided);
+  }
+  EXPECT_EQ(raced[1].raw, first[1].raw);
+  EXPECT_EQ(raced[1].replicates.size(), 1u);
 }
 
 TEST(Compare, WinnerIsTheBestOfTheConfirmed) {

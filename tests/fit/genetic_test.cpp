@@ -111,6 +111,33 @@ TEST(GeneticSearch, BudgetIsNeverExceeded) {
   }
 }
 
+TEST(GeneticSearch, ChildrenRaceAgainstTheirOwnParents) {
+  const auto f = rastrigin(3, 1);
+  GeneticOptions options = budget_of(400);
+  Recorder recorder{f.cost, {}};
+  const auto plain = genetic_search(3, recorder.batch(), options, Rng{1});
+  int given_up = 0;
+  options.race = [&](const std::vector<Point>& children, const std::vector<Point>& parents) {
+    std::vector<double> costs;
+    EXPECT_EQ(children.size(), parents.size());
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      const bool worse = f.cost(children[i]) >= f.cost(parents[i]);
+      given_up += worse;
+      costs.push_back(worse ? std::numeric_limits<double>::infinity() : f.cost(children[i]));
+    }
+    return costs;
+  };
+  Recorder first{f.cost, {}};
+  const auto raced = genetic_search(3, first.batch(), options, Rng{1});
+  EXPECT_EQ(static_cast<int>(first.all().size()), options.population) << "the first population has no parents";
+  EXPECT_EQ(raced.evaluations, plain.evaluations) << "who was given up counts as well";
+  EXPECT_GT(given_up, 100);
+  EXPECT_EQ(
+      static_cast<int>(std::count_if(raced.visited.begin(), raced.visited.end(), [](const Evaluated& e) { return std::isinf(e.cost); })),
+      given_up);
+  EXPECT_LT(raced.best.front().cost, 5) << "and the search still works";
+}
+
 TEST(GeneticSearch, PlanIsPopulationTimesGenerations) {
   GeneticOptions options;
   options.population = 20;
