@@ -15,11 +15,16 @@ namespace {
 constexpr double kLeadersApart = 0.1;     // in the unit cube: far enough that they do not share their luck
 constexpr double kFinalistsApart = 0.02;  // near ones are all but the same model
 constexpr std::size_t kFinalists = 12;
-constexpr int kLaterPassShare = 4;  // later passes start from what is known, so they search and stall this many times sooner
 
-int generations(const SearchSize& size, int pass) { return std::max(1, size.generations / (pass == 1 ? 1 : kLaterPassShare)); }
+// Later passes start from what is known, rescored, so they search so many times less. Least of all the whole space on few replicates:
+// there all that is left to find is luck.
+int share(Stream round, int pass) { return pass == 1 ? 1 : round == Stream::replicate ? 12 : 4; }
 
-std::int64_t candidates(const SearchSize& size, int pass) { return std::int64_t{size.population} * generations(size, pass); }
+int generations(const SearchSize& size, Stream round, int pass) { return std::max(1, size.generations / share(round, pass)); }
+
+std::int64_t candidates(const SearchSize& size, Stream round, int pass) {
+  return std::int64_t{size.population} * generations(size, round, pass);
+}
 
 bool near_any(const Point& x, const std::vector<Evaluated>& chosen, double apart) {
   return std::any_of(chosen.begin(), chosen.end(), [&](const Evaluated& e) { return (e.x - x).cwiseAbs().maxCoeff() < apart; });
@@ -68,7 +73,7 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
     stop_reason_ = to_string(found.stop);
     convergence_.push_back({number, evaluations_, -leaders(search_, weighting, 1, 0.0).front().cost});
     promote(search_, selection_, static_cast<std::size_t>(narrow.population), kLeadersApart, number, "select", weighting);
-    const auto searched = candidates(wide, number) * wide.replicates;
+    const auto searched = candidates(wide, search_.stream, number) * wide.replicates;
     explore(selection_, narrow, number, "refine", weighting,
             [&](const GenerationReport& report) { return on_search(searched + report.evaluations * narrow.replicates, -report.best); });
     promote(selection_, confirmation_, kFinalists, kFinalistsApart, number, "confirm", weighting);
@@ -82,7 +87,8 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
 
 std::int64_t ModelSearch::planned(int number) const {
   const auto& budget = options_.budget;
-  return candidates(budget.search, number) * budget.search.replicates + candidates(budget.selection, number) * budget.selection.replicates;
+  return candidates(budget.search, search_.stream, number) * budget.search.replicates +
+         candidates(budget.selection, selection_.stream, number) * budget.selection.replicates;
 }
 
 std::vector<Evaluated> ModelSearch::leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,
@@ -121,8 +127,8 @@ Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const
                            const OnGeneration& on_generation) {
   SearchOptions plan;
   plan.genetic.population = size.population;
-  plan.genetic.generations = generations(size, pass);
-  plan.genetic.stall = std::max(1, plan.genetic.stall / (pass == 1 ? 1 : kLaterPassShare));
+  plan.genetic.generations = generations(size, round.stream, pass);
+  plan.genetic.stall = std::max(1, plan.genetic.stall / share(round.stream, pass));
   if (options_.max_evaluations > 0) {
     plan.genetic.max_evaluations = options_.max_evaluations - evaluations_;
     if (plan.genetic.max_evaluations <= 0) return {{{}, {}, 0, 0, Stop::evaluations}, {}, 0};
