@@ -3,11 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <mutex>
-
-#include "fit/screening.h"
 
 namespace swarmfit {
 namespace {
@@ -30,16 +25,7 @@ bool near_any(const Point& x, const std::vector<Evaluated>& chosen, double apart
   return std::any_of(chosen.begin(), chosen.end(), [&](const Evaluated& e) { return (e.x - x).cwiseAbs().maxCoeff() < apart; });
 }
 
-struct Lexicographic {
-  bool operator()(const Point& a, const Point& b) const { return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end()); }
-};
-
 }  // namespace
-
-double cost_of(const Energies& raw, const Weighting& weighting) {
-  const double value = score(Eigen::Map<const Eigen::VectorXd>(raw.data(), static_cast<Index>(raw.size())), weighting);
-  return std::isfinite(value) ? -value : std::numeric_limits<double>::infinity();
-}
 
 ModelSearch::ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target,
                          const CompareOptions& options, std::vector<HistoryRow>& history)
@@ -54,14 +40,14 @@ ModelSearch::ModelSearch(std::size_t index, const ModelChoice& model, const Cond
       confirmation_(on_seeds(options, Stream::confirmation, options.budget.confirmation_replicates)),
       final_seeds_(replicate_seeds({options.seed}, Stream::final_seeds, options.budget.final_replicates)) {}
 
-ModelSearch::Round ModelSearch::on_seeds(const CompareOptions& options, Stream stream, int replicates) {
+Round ModelSearch::on_seeds(const CompareOptions& options, Stream stream, int replicates) {
   return {stream, replicate_seeds({options.seed}, stream, replicates), {}, {}};
 }
 
 void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& on_search) {
   if (space_.dimensions() > 0) {
     if (number == 1) {  // the table's defaults are in the recording's scales: the one candidate that is not a guess
-      keep(search_, space_.start(), simulate(search_, {space_.start()}).front(), number, "search");
+      keep(search_, space_.start(), simulate(search_, {space_.start()}, space_, objective_).front(), number, "search");
       ++evaluations_;
     }
     const auto &wide = options_.budget.search, &narrow = options_.budget.selection;
@@ -104,20 +90,13 @@ std::vector<Evaluated> ModelSearch::leaders(const Round& round, const Weighting&
   return chosen;
 }
 
-std::vector<Outcome> ModelSearch::simulate(const Round& round, const std::vector<Point>& points, const Objective::Worth& worth) const {
-  std::vector<std::vector<double>> candidates;
-  for (const auto& x : points) candidates.push_back(space_.parameters(x));
-  const auto all = [](const std::vector<Outcome>& first) { return std::vector<bool>(first.size(), true); };
-  return objective_.race(candidates, round.seeds, screening_replicates(round.seeds.size()), worth ? worth : all);
-}
-
 void ModelSearch::keep(Round& round, const Point& x, const Outcome& outcome, int pass, const char* phase) {
   const auto values = space_.parameters(x);
   const auto replicates = static_cast<int>(outcome.replicates.size());
   HistoryRow row{index_, pass, phase, {}, outcome.raw, replicates, outcome.failed};
   for (const auto p : space_.searched()) row.x.push_back(values[p]);
   history_.push_back(std::move(row));
-  if (outcome.replicates.size() == round.seeds.size()) round.archive.push_back({x, outcome.raw, outcome.guided, outcome.first});
+  if (round.complete(outcome)) round.archive.push_back({x, outcome.raw, outcome.guided, outcome.first});
   simulations_ += replicates;
   failed_ += outcome.failed;
 }
@@ -133,52 +112,14 @@ Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const
     plan.genetic.max_evaluations = options_.max_evaluations - evaluations_;
     if (plan.genetic.max_evaluations <= 0) return {{{}, {}, 0, 0, Stop::evaluations}, {}, 0};
   }
-  std::mutex lock;
-  std::map<Point, Outcome, Lexicographic> seen;
-  const auto remember = [&](const std::vector<Point>& points, std::vector<Outcome>& outcomes) {
-    std::vector<double> costs;
-    const std::lock_guard guard(lock);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const bool given_up = outcomes[k].replicates.size() < round.seeds.size();
-      costs.push_back(given_up ? std::numeric_limits<double>::infinity() : cost_of(outcomes[k].guided, weighting));
-      outcomes[k].distributions = {};  // large, and not needed again
-      seen.insert_or_assign(points[k], std::move(outcomes[k]));
-    }
-    return costs;
-  };
-  const auto cost = [&](const std::vector<Point>& points) {
-    auto outcomes = simulate(round, points);
-    return remember(points, outcomes);
-  };
-  // Costs after the first replicates and after all.
-  struct Known {
-    double first, all;
-  };
-  std::map<Point, Known, Lexicographic> archived;
-  for (const auto& a : round.archive) archived.insert_or_assign(a.x, Known{cost_of(a.first, weighting), cost_of(a.guided, weighting)});
-  const auto known = [&](const Point& x) {
-    const auto old = archived.find(x);
-    return old != archived.end() ? old->second : Known{cost_of(seen.at(x).first, weighting), cost_of(seen.at(x).guided, weighting)};
-  };
-  Screening screening;
-  plan.genetic.race = [&](const std::vector<Point>& children, const std::vector<Point>& parents) {
-    std::vector<Known> rivals;
-    for (const Point& x : parents) rivals.push_back(known(x));
-    auto outcomes = simulate(round, children, [&](const std::vector<Outcome>& first) {
-      std::vector<bool> worth;
-      for (std::size_t k = 0; k < first.size(); ++k) worth.push_back(screening.worth(cost_of(first[k].first, weighting) - rivals[k].first));
-      return worth;
-    });
-    for (std::size_t k = 0; k < children.size(); ++k)
-      if (outcomes[k].replicates.size() == round.seeds.size())
-        screening.learn(cost_of(outcomes[k].first, weighting) - rivals[k].first, cost_of(outcomes[k].guided, weighting) - rivals[k].all);
-    return remember(children, outcomes);
-  };
+  Race race(round, space_, objective_, weighting);
+  const auto cost = [&](const std::vector<Point>& points) { return race.cost(points); };
+  plan.genetic.race = [&](const auto& children, const auto& parents) { return race.against(children, parents); };
   const auto start = leaders(round, weighting, round.archive.size(), 0.0);
   Found found =
       swarmfit::search(space_.dimensions(), cost, plan, rng_.derive(round.stream, static_cast<std::uint64_t>(pass)), start, on_generation);
   if (found.stop == Stop::interrupted) throw Interrupted{};
-  for (const auto& e : found.visited) keep(round, e.x, seen.at(e.x), pass, phase);
+  for (const auto& e : found.visited) keep(round, e.x, race.seen(e.x), pass, phase);
   evaluations_ += found.evaluations;
   round.recommended = found.recommended.x;
   return found;
@@ -194,7 +135,7 @@ void ModelSearch::promote(const Round& from, Round& to, std::size_t most, double
   });
   std::vector<Point> points;
   for (const auto& leader : chosen) points.push_back(leader.x);
-  const auto outcomes = simulate(to, points);
+  const auto outcomes = simulate(to, points, space_, objective_);
   for (std::size_t k = 0; k < chosen.size(); ++k) keep(to, chosen[k].x, outcomes[k], pass, phase);
 }
 

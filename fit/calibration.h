@@ -3,7 +3,7 @@
 #pragma once
 
 #include "fit/compare.h"
-#include "fit/objective.h"
+#include "fit/race.h"
 
 namespace swarmfit {
 
@@ -38,19 +38,6 @@ class ModelSearch {
   std::span<const Rng> final_seeds() const { return final_seeds_; }
 
  private:
-  struct Archived {
-    Point x;
-    Energies raw, guided, first;  // as in Outcome
-  };
-  // Candidates simulated on the same seeds, so that their energies can be compared, now and under later weightings.
-  struct Round {
-    Stream stream;
-    std::vector<Rng> seeds;
-    std::vector<Archived> archive;
-    Point recommended;  // by the last search's response surface; empty before
-  };
-  // Everything on all of the round's seeds, but what `worth` turns down after the first of them.
-  std::vector<Outcome> simulate(const Round& round, const std::vector<Point>& points, const Objective::Worth& worth = {}) const;
   static Round on_seeds(const CompareOptions& options, Stream stream, int replicates);
   // The best of an archive under these weights, no two nearer than `apart` in the unit cube: by what a search minimises, or by the score.
   static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,
@@ -74,8 +61,5 @@ class ModelSearch {
   std::string stop_reason_;
   std::vector<ConvergencePoint> convergence_;
 };
-
-// Cost of raw energies under a weighting: minus the score; +inf if it is undefined.
-double cost_of(const Energies& raw, const Weighting& weighting);
 
 }  // namespace swarmfit
