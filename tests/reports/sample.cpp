@@ -190,7 +190,7 @@ Comparison sample_comparison(const std::vector<Sketch>& models) {
     c.models.push_back(fit_result(c, sketch, ++rank));
     c.named.push_back(sketch.name);
     c.searched.push_back({"gamma", "chi_att", "r_rep"});
-    c.history.push_back({static_cast<std::size_t>(rank - 1), 1, "search", {0.01, 2100, 12.5}, c.models.back().raw_energies, 0});
+    c.history.push_back({static_cast<std::size_t>(rank - 1), 1, "search", {0.01, 2100, 12.5}, c.models.back().raw_energies, 3, 1});
   }
   add_without(c);
   c.lags = {{1, 3, 0.59, 0.78}, {0, 2, 0.41, 0.11}};

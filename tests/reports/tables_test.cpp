@@ -92,8 +92,8 @@ TEST(History, ParametersAreOneColumn) {
   c.history[0].raw[kJerk] = NAN;
   const auto rows = lines(history_csv(c));
   ASSERT_EQ(rows.size(), 6u);
-  EXPECT_EQ(rows[0], "model,pass,phase,failed,v,a,omega,alpha,mu,d,eta,parameters");
-  EXPECT_THAT(rows[1], StartsWith("bswarm,1,search,0,"));
+  EXPECT_EQ(rows[0], "model,pass,phase,replicates,failed,v,a,omega,alpha,mu,d,eta,parameters");
+  EXPECT_THAT(rows[1], StartsWith("bswarm,1,search,3,1,"));
   EXPECT_THAT(rows[1], HasSubstr(",gamma=0.01;chi_att=2100;r_rep=12.5"));
 }
 
