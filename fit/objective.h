@@ -51,7 +51,7 @@ class Objective {
  private:
   struct Trial;
   Trial run(const std::vector<double>& candidate, const Rng& seed, int finer) const;
-  // Runs on the seeds from `from` to before `to`, appended to those of each candidate that is wanted.
+  // Runs on these seeds, appended to those of each candidate that is wanted.
   void extend(std::vector<std::vector<Trial>>& trials, const std::vector<std::vector<double>>& candidates, const std::vector<bool>& wanted,
               std::span<const Rng> seeds, int finer) const;
   Outcome pool(const std::vector<Trial>& trials) const;
