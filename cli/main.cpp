@@ -49,7 +49,7 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("-o,--out", a.out, "run directory; swarmfit-<name of the data> if not given");
   app.add_option("--protocol", a.protocol,
                  "default, or ren2016, the paper's literal choices: z-scores of each set by itself, no localisation error, all seven "
-                 "metrics, lag 1, the bare range for p2, up to ten passes; flags given beside it win")
+                 "metrics, lag 1, the bare range for p2, searches under the last weights, up to ten passes; flags given beside it win")
       ->check(CLI::IsMember({"default", "ren2016"}))
       ->capture_default_str();
   app.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();

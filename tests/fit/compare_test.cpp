@@ -35,49 +35,48 @@ struct Threads {
   int before;
 };
 
+// A planted swarm and the objective of one model on it.
+struct Scene {
+  explicit Scene(const char* name, Normalisation normalisation = Normalisation::reference)
+      : model(parse_model(name)), target(metric_samples(recording), Binning::standard(normalisation)) {}
+  Tracks recording = test::planted_swarm(3);
+  ModelChoice model;
+  Conditions conditions = make_conditions(recording, {});
+  Target target;
+  Objective objective{model, conditions, target};
+};
+
 TEST(Objective, TrueParametersBeatWrongOnes) {
-  const Tracks recording = test::planted_swarm(3);
-  const auto model = parse_model("bswarm");
-  const Conditions conditions = make_conditions(recording, {});
-  const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
-  const Objective objective(model, conditions, target);
-  const auto truth = scene_parameters(model, test::midge_parameters());
+  const Scene scene("bswarm");
+  const auto truth = scene_parameters(scene.model, test::midge_parameters());
   auto wrong = truth;
-  wrong[static_cast<std::size_t>(model.spec->find("gamma"))] *= 10;
+  wrong[static_cast<std::size_t>(scene.model.spec->find("gamma"))] *= 10;
   const auto seeds = replicate_seeds({1}, Stream::replicate, 3);
-  const auto outcomes = objective.evaluate({truth, wrong}, seeds);
+  const auto outcomes = scene.objective.evaluate({truth, wrong}, seeds);
   EXPECT_LT(outcomes[0].raw[kSpeed], 0.5 * outcomes[1].raw[kSpeed]);
   EXPECT_EQ(outcomes[0].failed, 0);
 }
 
 TEST(Objective, BlowUpIsCountedAndCostsTheWorst) {
-  const Tracks recording = test::planted_swarm(3);
-  const auto model = parse_model("bswarm[avoidance=none]");
-  const Conditions conditions = make_conditions(recording, {});
-  const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
-  const Objective objective(model, conditions, target);
-  auto wild = scene_parameters(model, test::midge_parameters());
-  wild[static_cast<std::size_t>(model.spec->find("gamma"))] = 1e9;  // explicit drag with gamma |v| dt >> 1 explodes
-  const auto outcome = objective.evaluate(wild, replicate_seeds({1}, Stream::replicate, 2));
+  const Scene scene("bswarm[avoidance=none]");
+  auto wild = scene_parameters(scene.model, test::midge_parameters());
+  wild[static_cast<std::size_t>(scene.model.spec->find("gamma"))] = 1e9;  // explicit drag with gamma |v| dt >> 1 explodes
+  const auto outcome = scene.objective.evaluate(wild, replicate_seeds({1}, Stream::replicate, 2));
   EXPECT_EQ(outcome.failed, 2);
-  for (const double e : outcome.raw) EXPECT_EQ(e, target.worst());
+  for (const double e : outcome.raw) EXPECT_EQ(e, scene.target.worst());
 }
 
 TEST(Objective, SeparateNormalisationPoolsSamplesBeforeItStandardisesThem) {
-  const Tracks recording = test::planted_swarm(3);
-  const auto model = parse_model("bswarm");
-  const Conditions conditions = make_conditions(recording, {});
-  const Target target(metric_samples(recording), Binning::standard(Normalisation::separate));
-  const Objective objective(model, conditions, target);
-  const auto truth = scene_parameters(model, test::midge_parameters());
+  const Scene scene("bswarm", Normalisation::separate);
+  const auto truth = scene_parameters(scene.model, test::midge_parameters());
   const auto seeds = replicate_seeds({1}, Stream::replicate, 2);
   MetricSamples all;
   for (const auto& seed : seeds) {
-    const auto part = metric_samples(objective.simulate(truth, seed));
+    const auto part = metric_samples(scene.objective.simulate(truth, seed));
     for (std::size_t m = 0; m < kMetrics; ++m) all.values[m].insert(all.values[m].end(), part.values[m].begin(), part.values[m].end());
   }
-  const Energies expected = target.energies(target.distributions(all));
-  const Energies got = objective.evaluate(truth, seeds).raw;
+  const Energies expected = scene.target.energies(scene.target.distributions(all));
+  const Energies got = scene.objective.evaluate(truth, seeds).raw;
   for (std::size_t m = 0; m < kMetrics; ++m) EXPECT_EQ(got[m], expected[m]);
 }
 
@@ -141,20 +140,16 @@ TEST(Compare, HistoryHoldsEveryEvaluationOnce) {
   EXPECT_GT(given_up, 0);
 }
 
-TEST(Objective, ARaceThatNobodyLosesIsAnEvaluation) {
-  const Tracks recording = test::planted_swarm(3);
-  const auto model = parse_model("bswarm");
-  const Conditions conditions = make_conditions(recording, {});
-  const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
-  const Objective objective(model, conditions, target);
-  const auto truth = scene_parameters(model, test::midge_parameters());
+TEST(Objective, WhoGoesOnInARaceIsEvaluatedInFull) {
+  const Scene scene("bswarm");
+  const auto truth = scene_parameters(scene.model, test::midge_parameters());
   auto other = truth;
-  other[static_cast<std::size_t>(model.spec->find("noise"))] *= 2;
+  other[static_cast<std::size_t>(scene.model.spec->find("noise"))] *= 2;
   const std::vector<std::vector<double>> candidates = {truth, other, truth};
   const auto seeds = replicate_seeds({1}, Stream::replicate, 3);
-  const auto whole = objective.evaluate(candidates, seeds);
-  const auto first = objective.evaluate(candidates, {seeds.data(), 1});
-  const auto raced = objective.race(candidates, seeds, 1, [&](const std::vector<Outcome>& heat) {
+  const auto whole = scene.objective.evaluate(candidates, seeds);
+  const auto first = scene.objective.evaluate(candidates, {seeds.data(), 1});
+  const auto raced = scene.objective.race(candidates, seeds, 1, [&](const std::vector<Outcome>& heat) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(heat[c].first, first[c].guided);
     return std::vector<bool>{true, false, true};
   });
