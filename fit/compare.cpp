@@ -195,13 +195,15 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
 
   Comparison result;
   result.observation = observation_facts(conditions, target, options);
-  result.resolution = resolution(conditions, target, options);
+  result.resolution = resolution(conditions, target, options, result.observation.drowned);
   const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
   result.mean_weights = options.mean_weights;
   Calibration calibration(options, conditions, target, used, result.history, on_progress);
   calibration.run(result);
 
-  const Judge judge(conditions, result.observation.used, options.seed);
+  PerColumn<bool> clear = result.observation.used;
+  for (std::size_t j = 0; j < clear.size(); ++j) clear[j] = clear[j] && !result.observation.drowned[j];
+  const Judge judge(conditions, clear, options.seed);
   for (std::size_t m = 0; m < options.models.size(); ++m) {
     const auto& search = calibration.searches()[m];
     result.models.push_back(fit_result(search, options.models[m], conditions, target, calibration.weighting()));

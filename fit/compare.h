@@ -27,7 +27,7 @@ struct CompareOptions {
   std::uint64_t seed = 1;
   std::int64_t max_evaluations = 0;  // per model, over all passes; 0: none
   std::vector<int> lags = {1};       // of the metrics of motion [frames], ascending; empty: chosen by choose_lags (libeval/lags.h)
-  double error_limit = 0.5;          // a column with a larger share of localisation error in its variance is left out of the score
+  double error_limit = 0.5;          // a column with a larger share of error counts only beyond what as much error again would change
   bool resolution = true;            // p2 is at least what the recording can tell (libeval/score.h); false: the range, as published
   bool mean_weights = true;          // later passes search under the mean of all passes' weights; false: under the last, as published
   std::vector<std::string> common;   // parameters that were fitted once for all models (fit/common_dynamics.h); only reported

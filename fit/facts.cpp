@@ -43,7 +43,7 @@ void warn_of_lags(const Comparison& r, std::vector<std::string>& out) {
   const int lag = lags_of(r.columns).back();
   std::vector<std::string> drowned;
   for (std::size_t j = 0; j < r.columns.size(); ++j)
-    if (r.columns[j].motion() && r.columns[j].lag == lag && r.defined[j] && !r.observation.why_not[j].empty())
+    if (r.columns[j].motion() && r.columns[j].lag == lag && r.defined[j] && r.observation.drowned[j])
       drowned.push_back(r.columns[j].key());
   if (drowned.empty()) return;
   const bool longer = lag < r.observation.longest_lag;
@@ -87,12 +87,18 @@ void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::strin
 
 }  // namespace
 
-PerColumn<double> resolution(const Conditions& c, const Target& target, const CompareOptions& options) {
+PerColumn<double> resolution(const Conditions& c, const Target& target, const CompareOptions& options, const PerColumn<bool>& drowned) {
   PerColumn<double> out(target.columns().size(), 0.0);
+  if (std::find(drowned.begin(), drowned.end(), true) != drowned.end()) {
+    const MetricSamples again = metric_samples(with_error(c.recording, c.sigma, options.seed), c.metrics);
+    const Energies changed = target.energies(target.distributions(again));
+    for (std::size_t j = 0; j < out.size(); ++j)
+      if (drowned[j] && std::isfinite(changed[j])) out[j] = changed[j];
+  }
   if (!options.resolution) return out;
   const HalfDistance halves(c.recording, c.metrics);
   for (std::size_t j = 0; j < out.size(); ++j)
-    if (const double distance = halves.floor()[j]; std::isfinite(distance)) out[j] = 0.5 * distance * target.worst();
+    if (const double distance = halves.floor()[j]; std::isfinite(distance)) out[j] = std::max(out[j], 0.5 * distance * target.worst());
   return out;
 }
 
@@ -109,19 +115,13 @@ ObservationFacts observation_facts(const Conditions& c, const Target& target, co
   facts.error_share = error_share(c.recording, c.sigma, options.seed, c.metrics.lags);
   facts.longest_lag = longest_lag(c.recording);
   const std::size_t columns = target.columns().size();
-  facts.used = PerColumn<bool>(columns);
+  facts.drowned = facts.used = PerColumn<bool>(columns);
   facts.why_not = PerColumn<std::string>(columns);
   for (std::size_t j = 0; j < columns; ++j) {
-    const double share = facts.error_share[j];
-    if (!target.defined(j))
-      facts.why_not[j] = "it is constant or undefined in the recording";
-    else if (share > options.error_limit)
-      facts.why_not[j] = fmt::format("{:.0f} % of its variance is localisation error", 100 * share);
-    facts.used[j] = facts.why_not[j].empty();
+    facts.drowned[j] = facts.error_share[j] > options.error_limit;
+    facts.used[j] = target.defined(j);
+    if (!facts.used[j]) facts.why_not[j] = "it is constant or undefined in the recording";
   }
-  // With every metric drowned in error there is nothing left to leave out: score what is defined, and the warnings say why it is weak.
-  if (std::none_of(facts.used.begin(), facts.used.end(), [](bool u) { return u; }))
-    for (std::size_t j = 0; j < columns; ++j) facts.used[j] = target.defined(j);
   return facts;
 }
 

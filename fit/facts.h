@@ -6,9 +6,12 @@
 
 namespace swarmfit {
 
-// Per column, the energy by which the recording scatters about its own law: halves of it hold half the samples each, so the recording is
-// half as far from the law as they are from one another. 0 where that is unknown or not asked for.
-PerColumn<double> resolution(const Conditions&, const Target&, const CompareOptions&);
+// Per column, the difference of energies that the recording can tell: the larger of
+//   - the energy by which it scatters about its own law: halves of it hold half the samples each, so the recording is half as far from the
+//     law as they are from one another (unless options.resolution is false, or it has too few frames);
+//   - where the column is drowned in localisation error, the energy between the recording and itself with the same error once more: what
+//     could be gained by misjudging the error is not to decide.
+PerColumn<double> resolution(const Conditions&, const Target&, const CompareOptions&, const PerColumn<bool>& drowned);
 
 ObservationFacts observation_facts(const Conditions& conditions, const Target& target, const CompareOptions& options);
 

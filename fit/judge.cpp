@@ -150,10 +150,11 @@ void Judge::tell(Comparison& result) const {
   for (const Index lag : plan_.vacf_lags) result.panel.lags.push_back(static_cast<double>(lag) * plan_.dt);
 
   const auto& models = result.models;
-  Eigen::MatrixXd table(static_cast<Index>(models.size()), static_cast<Index>(used_.size()));
+  const auto& scored = result.observation.used;
+  Eigen::MatrixXd table(static_cast<Index>(models.size()), static_cast<Index>(scored.size()));
   for (std::size_t m = 0; m < models.size(); ++m)
-    for (std::size_t j = 0; j < used_.size(); ++j) table(static_cast<Index>(m), static_cast<Index>(j)) = models[m].raw_energies[j];
-  for (const WithoutOne& w : leave_one_out(table, {used_.begin(), used_.end()}, {result.resolution.begin(), result.resolution.end()})) {
+    for (std::size_t j = 0; j < scored.size(); ++j) table(static_cast<Index>(m), static_cast<Index>(j)) = models[m].raw_energies[j];
+  for (const WithoutOne& w : leave_one_out(table, {scored.begin(), scored.end()}, {result.resolution.begin(), result.resolution.end()})) {
     LeftOut out;
     out.model = models[static_cast<std::size_t>(w.dropped)].model;
     out.weights.assign(w.weighting.weights.begin(), w.weighting.weights.end());
@@ -204,11 +205,12 @@ void warn_of_basis(const Comparison& r, std::vector<std::string>& out) {
   bool more = false;
   std::vector<std::string> missing;
   for (std::size_t j = 0; j < r.skill.used.size(); ++j) {
-    more = more || (r.skill.used[j] && !r.observation.used[j]);
-    if (!r.skill.used[j] && r.observation.used[j]) missing.push_back(r.columns[j].key());
+    const bool expected = r.observation.used[j] && !r.observation.drowned[j];
+    more = more || (r.skill.used[j] && !expected);
+    if (!r.skill.used[j] && expected) missing.push_back(r.columns[j].key());
   }
   if (more)
-    out.emplace_back("No metric of the score tells the recording from its surrogates, so the skill rests on all that are defined.");
+    out.emplace_back("No metric that counts in full tells the recording from its surrogates, so the skill rests on all that are defined.");
   else if (!missing.empty())
     out.push_back(
         fmt::format("The skill leaves out {}: an eighth of the recording is too short for so long a lag.", fmt::join(missing, ", ")));

@@ -12,7 +12,7 @@ namespace swarmfit {
 // Measures the recording and its surrogates once. Holds references, so the conditions must outlive it.
 class Judge {
  public:
-  // used: metrics of the score. seed: of the surrogates, the same for all models.
+  // used: columns on which the skill rests. seed: of the surrogates, the same for all models.
   Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed);
 
   // Fills skill, total_variation, wasserstein, panel and vacf from runs of these parameters on these seeds. A run that blew up counts as

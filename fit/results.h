@@ -54,6 +54,7 @@ struct ObservationFacts {
   double smoothing = 0;                           // standard deviation of the Gaussian smoothing of both sides [frames]; 0: none
   std::string velocity;                           // "difference" or "recorded"
   PerColumn<double> error_share{};                // share of each column's variance that is localisation error; NaN unknown
+  PerColumn<bool> drowned{};                      // more of it is error than CompareOptions::error_limit
   PerColumn<bool> used{};                         // is the column in the default score?
   PerColumn<std::string> why_not{};               // the reason where it is not
   int longest_lag = 1;                            // that the recording carries (libeval/lags.h) [frames]
@@ -189,7 +190,7 @@ struct Comparison {
   PerColumn<double> axis_lower{}, axis_width{};   // of all histograms, physical units
   PerColumn<bool> defined{};
   PerColumn<double> weights{}, p1{}, p2{};
-  PerColumn<double> resolution;  // least p2: half the energy between halves of the recording; 0: none, or it cannot be told
+  PerColumn<double> resolution;  // least p2 (fit/facts.h); 0: none, or it cannot be told
   std::vector<WeightStep> weight_history;
   bool mean_weights = true;  // each pass searches under the mean of the weights before it, else under the last
   bool weights_converged = false;

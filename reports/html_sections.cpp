@@ -15,10 +15,6 @@ namespace {
 
 using Cells = std::vector<HtmlTable::Cell>;
 
-std::string bracketed(const Comparison& c, std::size_t m) {
-  return counts(c, m) ? c.columns[m].symbol() : fmt::format("({})", c.columns[m].symbol());
-}
-
 Html model_name(const Comparison& c, std::size_t k) {
   Html out = key_drawing(k);
   out += escaped(c.models[k].model);
@@ -36,7 +32,7 @@ void metric_columns(const Comparison& c, Cells& cells, Text text) {
 }
 
 void metric_heads(const Comparison& c, Cells& cells) {
-  for (std::size_t m = 0; m < c.columns.size(); ++m) cells.push_back(column(bracketed(c, m), true, !counts(c, m)));
+  for (std::size_t m = 0; m < c.columns.size(); ++m) cells.push_back(column(marked(c, m, c.columns[m].symbol()), true, !counts(c, m)));
 }
 
 struct Scale {
@@ -117,7 +113,9 @@ Html ranking(const Comparison& c) {
   Cells foot = {text_cell(""), name_cell(markup("weight in the score")), text_cell(""), text_cell(""), text_cell("")};
   metric_columns(c, foot, [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 3) : kUndefined; });
   foot.push_back(text_cell(""));
-  return table.foot(foot).html();
+  Html out = table.foot(foot).html();
+  out += element("p", "note", escaped(what_drowned_means(c)));
+  return out;
 }
 
 Html legend(const Comparison& c) {
@@ -168,7 +166,7 @@ Html moments(const Comparison& c) {
   HtmlTable table("Mean and standard deviation: of the recording, and of every model as a multiple of it");
   Cells head = {column("model"), column("")};
   for (std::size_t m = 0; m < c.columns.size(); ++m)
-    head.push_back(column(fmt::format("{} [{}]", bracketed(c, m), metric_unit(c.columns[m].metric, c.data.unit)), true, !counts(c, m)));
+    head.push_back(column(fmt::format("{} [{}]", marked(c, m, c.columns[m].symbol()), metric_unit(c.columns[m].metric, c.data.unit)), true, !counts(c, m)));
   table.head(head);
   Cells mean = {name_cell(markup("recording")), text_cell("mean")}, sd = {text_cell(""), text_cell("sd")};
   metric_columns(c, mean, [&](std::size_t m) { return rounded(c.recording[m].moments.mean); });

@@ -85,6 +85,7 @@ Json observation(const Columns& columns, const ObservationFacts& o) {
           {"smoothing", o.smoothing},
           {"velocity", o.velocity},
           {"error_share", per_column(columns, o.error_share)},
+          {"drowned", per_column(columns, o.drowned)},
           {"used", per_column(columns, o.used)},
           {"why_not", per_column(columns, o.why_not)},
           {"longest_lag", o.longest_lag}};

@@ -58,8 +58,7 @@ TextTable ranking_table(const Comparison& c, std::size_t first, TextStyle style)
   std::vector<std::string> head = {"rank", "model"}, weights = {"", "weight in score"};
   if (scores) head.insert(head.end(), {"score ± se", "skill"}), weights.resize(4);
   for (std::size_t m = first; m < first + count; ++m) {
-    const std::string symbol = symbol_of(c.columns[m], style);
-    head.push_back(counts(c, m) ? symbol : '(' + symbol + ')');
+    head.push_back(marked(c, m, symbol_of(c.columns[m], style)));
     weights.push_back(counts(c, m) ? fixed(c.weights[m], 2) : kUndefined);
   }
   table.row(head, Paint::bold);
@@ -150,6 +149,7 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
 
   out += ranking_tables(c, style);
   if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
+  if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += paragraph(drowned, " ");
 
   out += finite_skill(c) ? " skill: 1 as alike as the recording is to itself, 0 no better than its surrogates\n" : "";
   if (const std::string lags = lag_weights(c) + lags_measured(c); !lags.empty()) out += paragraph(lags, " ");

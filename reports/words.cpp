@@ -106,6 +106,18 @@ std::string why_left_out(const Comparison& c, std::size_t column) {
   return c.defined[column] ? "left out by request" : "undefined in the recording";
 }
 
+std::string marked(const Comparison& c, std::size_t column, std::string symbol) {
+  if (!counts(c, column)) return '(' + symbol + ')';
+  return c.observation.drowned[column] ? symbol + '~' : symbol;
+}
+
+std::string what_drowned_means(const Comparison& c) {
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    if (counts(c, m) && c.observation.drowned[m])
+      return "~ mostly localisation error: models are told apart only as far as they differ by more than as much error again would make.";
+  return {};
+}
+
 std::string lags_measured(const Comparison& c) {
   std::vector<std::string> frames, shares;
   for (const LagFacts& l : c.lags) {

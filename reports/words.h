@@ -30,6 +30,10 @@ Headline headline(const Comparison&);
 bool counts(const Comparison&, std::size_t column);
 // Why it does not; empty if it does.
 std::string why_left_out(const Comparison&, std::size_t column);
+// Its symbol in a heading: in brackets if it does not enter the score, with a ~ if it is mostly localisation error.
+std::string marked(const Comparison&, std::size_t column, std::string symbol);
+// "~ mostly localisation error: ..."; empty if no column is.
+std::string what_drowned_means(const Comparison&);
 
 // Over which times motion is measured, and how much of that is localisation error.
 std::string lags_measured(const Comparison&);

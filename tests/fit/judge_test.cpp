@@ -183,6 +183,7 @@ TEST(Judge, TellsRankingsWithoutEachModel) {
   two[0] = two[1] = true;
   const Judge judge(planted.conditions, two, 1);
   Comparison c;
+  c.observation.used = two;
   const std::array<std::pair<const char*, std::array<double, 2>>, 4> table{
       {{"b", {1, 0}}, {"a", {0, 4}}, {"d", {10, 1}}, {"c", {0.9, 10}}}};
   for (const auto& [name, raw] : table) {

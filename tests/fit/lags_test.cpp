@@ -108,11 +108,11 @@ TEST(CompareAtLags, ChoosesThemByTheErrorOfEveryColumn) {
   const Comparison clean = compare(swarm(), options), noisy = compare(swarm(0.5), options);
   EXPECT_THAT(lags_of(clean.columns), ElementsAre(1));
   ASSERT_EQ(lags_of(noisy.columns).size(), 2u);
-  EXPECT_FALSE(noisy.observation.used[kJerk]);
-  EXPECT_TRUE(noisy.observation.used[7 + kJerk] || noisy.lags[1].lag == noisy.observation.longest_lag);
+  EXPECT_TRUE(noisy.observation.drowned[kJerk]);
+  EXPECT_TRUE(!noisy.observation.drowned[7 + kJerk] || noisy.lags[1].lag == noisy.observation.longest_lag);
   EXPECT_GT(noisy.lags[0].error_share, 0.5);
   EXPECT_LT(noisy.lags[1].error_share, noisy.lags[0].error_share);
-  // The limit of the paper's protocol leaves nothing out.
+  // To the paper's protocol error is nothing special.
   options.error_limit = 1;
   EXPECT_THAT(lags_of(compare(swarm(0.5), options).columns), ElementsAre(1));
 }

@@ -107,8 +107,9 @@ void add_facts(Comparison& c) {
             213,         {"3 duplicated rows were dropped"}};
   ObservationFacts& o = c.observation;
   o = {"recorded", "open", 0, "estimate", {0.31, 0.29, 0.52}, true, 0, "difference", {0.02, 0.67, 0.21, 0.74, 0.78, 0.01, 0.11}, {}, {}};
-  for (std::size_t m = 0; m < kMetrics; ++m) o.used[m] = o.error_share[m] < 0.7;
-  for (const std::size_t m : {kAngularAcceleration, kJerk}) o.why_not[m] = "more than half of its variance is localisation error";
+  for (std::size_t m = 0; m < kMetrics; ++m) o.used[m] = m != kAngularAcceleration && m != kJerk;
+  for (const std::size_t m : {kAngularAcceleration, kJerk}) o.why_not[m] = "it is constant or undefined in the recording";
+  o.drowned[kAcceleration] = true;
   c.warnings = {"Acceleration, angular acceleration and jerk are mostly localisation error."};
   c.config = {{"data", "\"swarm.txt\""}, {"seed", "18446744073709551615"}, {"models", "\"bswarm,boids\""}};
 }
