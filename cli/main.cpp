@@ -67,9 +67,10 @@ void add_fit(CLI::App& app, FitArguments& a) {
       ->check(CLI::PositiveNumber);
   app.add_option("--obs-noise", a.observation_error,
                  "localisation error put on simulated positions: estimate (default), or a value in length units");
-  app.add_option("--error-limit", a.error_limit,
-                 "of a metric with a larger share of localisation error, differences that as much error again would make do not count in full "
-                 "(default 0.5)")
+  app.add_option(
+         "--error-limit", a.error_limit,
+         "of a metric with a larger share of localisation error, differences that as much error again would make do not count in full "
+         "(default 0.5)")
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--resolution", a.resolution,
                  "recording (default): differences between models below what the recording can tell do not count in full; none: they do, "

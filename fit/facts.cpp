@@ -43,8 +43,7 @@ void warn_of_lags(const Comparison& r, std::vector<std::string>& out) {
   const int lag = lags_of(r.columns).back();
   std::vector<std::string> drowned;
   for (std::size_t j = 0; j < r.columns.size(); ++j)
-    if (r.columns[j].motion() && r.columns[j].lag == lag && r.defined[j] && r.observation.drowned[j])
-      drowned.push_back(r.columns[j].key());
+    if (r.columns[j].motion() && r.columns[j].lag == lag && r.defined[j] && r.observation.drowned[j]) drowned.push_back(r.columns[j].key());
   if (drowned.empty()) return;
   const bool longer = lag < r.observation.longest_lag;
   warn(out, "{} {} mostly localisation error even at the longest lag ({}); {}.", fmt::join(drowned, ", "),

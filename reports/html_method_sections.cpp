@@ -134,7 +134,10 @@ Html observation(const Comparison& c) {
   table.head({column("metric"), column(""), column("share of variance", true), column("in the score"), column("why not, or not in full")});
   for (std::size_t m = 0; m < c.columns.size(); ++m)
     table.row({name_cell(escaped(c.columns[m].name())), text_cell(c.columns[m].symbol()), number_cell(percent(o.error_share[m])),
-               text_cell(!counts(c, m) ? "no" : o.drowned[m] ? "beyond the error" : "yes"), text_cell(why_left_out(c, m))});
+               text_cell(!counts(c, m)  ? "no"
+                         : o.drowned[m] ? "beyond the error"
+                                        : "yes"),
+               text_cell(why_left_out(c, m))});
   out += table.html();
   out += element("p", "note", escaped(what_drowned_means(c)));
   return out;

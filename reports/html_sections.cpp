@@ -166,7 +166,8 @@ Html moments(const Comparison& c) {
   HtmlTable table("Mean and standard deviation: of the recording, and of every model as a multiple of it");
   Cells head = {column("model"), column("")};
   for (std::size_t m = 0; m < c.columns.size(); ++m)
-    head.push_back(column(fmt::format("{} [{}]", marked(c, m, c.columns[m].symbol()), metric_unit(c.columns[m].metric, c.data.unit)), true, !counts(c, m)));
+    head.push_back(column(fmt::format("{} [{}]", marked(c, m, c.columns[m].symbol()), metric_unit(c.columns[m].metric, c.data.unit)), true,
+                          !counts(c, m)));
   table.head(head);
   Cells mean = {name_cell(markup("recording")), text_cell("mean")}, sd = {text_cell(""), text_cell("sd")};
   metric_columns(c, mean, [&](std::size_t m) { return rounded(c.recording[m].moments.mean); });

@@ -18,7 +18,8 @@ namespace {
 using Row = std::vector<std::string>;
 
 Row metric_head(const Comparison& c, Row head) {
-  for (std::size_t m = 0; m < c.columns.size(); ++m) head.push_back(counts(c, m) ? marked(c, m, c.columns[m].symbol()) : c.columns[m].symbol() + " (not scored)");
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    head.push_back(counts(c, m) ? marked(c, m, c.columns[m].symbol()) : c.columns[m].symbol() + " (not scored)");
   return head;
 }
 
