@@ -106,7 +106,7 @@ std::string why_left_out(const Comparison& c, std::size_t column) {
   return c.defined[column] ? "left out by request" : "undefined in the recording";
 }
 
-std::string marked(const Comparison& c, std::size_t column, std::string symbol) {
+std::string marked(const Comparison& c, std::size_t column, const std::string& symbol) {
   if (!counts(c, column)) return '(' + symbol + ')';
   return c.observation.drowned[column] ? symbol + '~' : symbol;
 }

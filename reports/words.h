@@ -31,7 +31,7 @@ bool counts(const Comparison&, std::size_t column);
 // Why it does not; empty if it does.
 std::string why_left_out(const Comparison&, std::size_t column);
 // Its symbol in a heading: in brackets if it does not enter the score, with a ~ if it is mostly localisation error.
-std::string marked(const Comparison&, std::size_t column, std::string symbol);
+std::string marked(const Comparison&, std::size_t column, const std::string& symbol);
 // "~ mostly localisation error: ..."; empty if no column is.
 std::string what_drowned_means(const Comparison&);
 
