@@ -10,7 +10,9 @@
 
 #include "fit/across.h"
 #include "fit/compare.h"
+#include "fit/facts.h"
 #include "fit/objective.h"
+#include "libeval/localisation.h"
 #include "libtrack/error.h"
 #include "libtrack/read.h"
 #include "tests/fit/planted.h"
@@ -115,6 +117,36 @@ TEST(CompareAtLags, ChoosesThemByTheErrorOfEveryColumn) {
   // To the paper's protocol error is nothing special.
   options.error_limit = 1;
   EXPECT_THAT(lags_of(compare(swarm(0.5), options).columns), ElementsAre(1));
+}
+
+// As much error again, added by hand, is what differences have to exceed in the columns that are mostly error, and only there.
+TEST(CompareAtLags, WhatErrorDrownsCountsBeyondAsMuchErrorAgain) {
+  const Conditions c = make_conditions(swarm(0.5), {});
+  const Target target(metric_samples(c.recording, c.metrics), Binning::standard(Normalisation::reference));
+  auto options = tiny({1});
+  options.resolution = false;
+  PerColumn<bool> drowned(kMetrics, false);
+  EXPECT_EQ(resolution(c, target, options, drowned), PerColumn<double>(kMetrics, 0.0));
+  drowned[kJerk] = true;
+  const PerColumn<double> floor = resolution(c, target, options, drowned);
+  const MetricSamples again = metric_samples(with_error(c.recording, c.sigma, options.seed), c.metrics);
+  EXPECT_EQ(floor[kJerk], target.energies(target.distributions(again))[kJerk]);
+  EXPECT_GT(floor[kJerk], 1) << "error doubled its variance";
+  for (std::size_t j = 0; j < kMetrics; ++j) EXPECT_EQ(floor[j] > 0, j == kJerk);
+}
+
+TEST(CompareAtLags, WhatErrorDrownsIsScoredAndLimitsP2) {
+  auto options = tiny({1});
+  options.resolution = false;
+  const Tracks recording = swarm(0.5);
+  const Comparison floored = compare(recording, options);
+  ASSERT_TRUE(floored.observation.drowned[kJerk] && floored.observation.used[kJerk]);
+  EXPECT_GT(floored.resolution[kJerk], 0);
+  EXPECT_GE(floored.p2[kJerk], floored.resolution[kJerk]);
+  EXPECT_FALSE(floored.observation.drowned[kDistance]);
+  EXPECT_EQ(floored.resolution[kDistance], 0);
+  options.error_limit = 1;
+  EXPECT_EQ(compare(recording, options).resolution[kJerk], 0);
 }
 
 TEST(CompareAtLags, SaysWhenEvenTheLongestLagIsDrowned) {
