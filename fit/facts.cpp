@@ -73,6 +73,8 @@ void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::strin
     if (p.at_bound) bounds.push_back(p.name);
   if (!bounds.empty())
     warn(out, "{}: {} ended on a bound, so its rank is conditional on the bounds; widen with --bounds.", m.model, fmt::join(bounds, ", "));
+  for (const auto& p : m.parameters)
+    if (!p.at_lower.empty()) warn(out, "{}: {} ended on its lower bound: {}.", m.model, p.name, p.at_lower);
   for (const std::size_t j : {kSpeed, kDistance})
     if (const double ratio = m.mean_ratio[j]; std::isfinite(ratio) && (ratio > kScaleOff || ratio < 1 / kScaleOff))
       warn(out, "{}: wrong in scale, its mean {} is {:.2g} times the recorded one, whatever its score.", m.model, r.columns[j].name(),

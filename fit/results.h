@@ -72,7 +72,8 @@ struct ParameterResult {
   std::string name, symbol, unit, meaning;
   double value = 0, lower = 0, upper = 0;  // physical units; lower = upper = value where it was not searched
   bool fitted = false, log = false;
-  bool at_bound = false;  // within 1 % of the searched interval from a bound
+  bool at_bound = false;   // within 1 % of the searched interval from a bound
+  std::string at_lower{};  // of the lower one, what that means, if anything
 };
 
 // One point of a convergence curve.

@@ -121,6 +121,7 @@ std::vector<ParameterResult> SearchSpace::describe(const Point& x, const std::st
       r.lower = axes_[p].lower;
       r.upper = axes_[p].upper;
       r.at_bound = u < kAtBound || u > 1 - kAtBound;
+      if (u < kAtBound) r.at_lower = table[p].at_lower;
     }
     out.push_back(std::move(r));
   }

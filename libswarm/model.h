@@ -53,6 +53,7 @@ struct Parameter {
   std::string_view meaning;  // one line
   std::string_view source;   // paper and equation, or why this value
   bool integer = false;
+  std::string_view at_lower = {};  // what it means for a fit to end on the lower bound, where that means something
 
   // What one unit of `fit` is worth in this recording.
   double scale(const Scales& s) const;

@@ -101,12 +101,13 @@ const std::vector<Parameter>& parameter_table() {
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{
-      // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source
+      // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source, integer, at_lower
       {"gamma", "γ", {-1, 0}, {11.16, 0.1, 20}, {1.5, 0.1, 20}, extent, true, true, "", "quadratic drag", "Eq 3; Table 1 Midge"},
       {"noise", "gain/scale", {1, -2}, {2.51 / 2.20, 0, 40}, {2, 0, 20}, extent, false, true, field,
        "strength of the noise force (gain for Perlin noise)", "Eq 4; Table 1 Midge"},
       {"scale", "scale", {1, 0}, {2.20, 0.2, 5}, {0.5, 0.1, 3}, extent, true, true, field,
-       "feature size of the noise field", "Eq 4; Table 1 Midge"},
+       "feature size of the noise field", "Eq 4; Table 1 Midge", false,
+       "the smaller the features, the nearer a field is to white noise"},
       {"lambda", "λ", {1, -1.5}, {1, 0, 20}, {1, 0, 3}, extent, false, true, sde,
        "intensity of the random force", "Eq 4; force times the square root of time"},
       {"lambda_literal", "λ", {1, -2}, {1, 0, 20}, {5, 0, 20}, extent, false, true, literal,

@@ -57,6 +57,19 @@ TEST(SearchSpace, OnlyParametersThatTheSettingsUseAreSearched) {
   EXPECT_FALSE(searches(alone, "chi_att"));
 }
 
+TEST(SearchSpace, SaysWhatALowerBoundMeansWhereAFitEndsThere) {
+  const auto model = parse_model("bswarm");
+  const SearchSpace space(model, kScales, {});
+  const auto meaning = [&](double u) {
+    for (const auto& r : space.describe(Point::Constant(space.dimensions(), u), "mm"))
+      if (r.name == "scale") return r.at_lower;
+    return std::string("no scale");
+  };
+  EXPECT_THAT(meaning(0), HasSubstr("white noise"));
+  EXPECT_EQ(meaning(0.5), "");
+  EXPECT_EQ(meaning(1), "");
+}
+
 TEST(SearchSpace, SetFixAndBoundsAreObeyed) {
   const auto model = parse_model("bswarm");
   ParameterRequests requests;
