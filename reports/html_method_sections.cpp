@@ -139,7 +139,6 @@ Html observation(const Comparison& c) {
                                         : "yes"),
                text_cell(why_left_out(c, m))});
   out += table.html();
-  out += element("p", "note", escaped(what_drowned_means(c)));
   return out;
 }
 

@@ -114,7 +114,7 @@ Html ranking(const Comparison& c) {
   metric_columns(c, foot, [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 3) : kUndefined; });
   foot.push_back(text_cell(""));
   Html out = table.foot(foot).html();
-  out += element("p", "note", escaped(what_drowned_means(c)));
+  if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += element("p", "note", escaped(drowned));
   return out;
 }
 

@@ -31,6 +31,8 @@ TEST(RankingText, ShowsScoresEnergiesWeightsAndWarnings) {
   EXPECT_THAT(text, HasSubstr("bswarm moves most like the recording."));
   EXPECT_THAT(text, HasSubstr("0.912 ± 0.011"));
   EXPECT_THAT(text, HasSubstr("(α)"));
+  EXPECT_THAT(text, HasSubstr("a~"));
+  EXPECT_THAT(text, HasSubstr("~ mostly localisation error"));
   EXPECT_THAT(text, HasSubstr("it is constant or undefined in the recording"));
   EXPECT_THAT(text, HasSubstr("weight in score"));
   EXPECT_THAT(text, HasSubstr("mostly localisation error."));
