@@ -59,6 +59,7 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
     stop_reason_ = to_string(found.stop);
     convergence_.push_back({number, evaluations_, -leaders(search_, weighting, 1, 0.0).front().cost});
     promote(search_, selection_, static_cast<std::size_t>(narrow.population), kLeadersApart, number, "select", weighting);
+    search_.suggested.clear();
     const auto searched = candidates(wide, search_.stream, number) * wide.replicates;
     explore(selection_, narrow, number, "refine", weighting,
             [&](const GenerationReport& report) { return on_search(searched + report.evaluations * narrow.replicates, -report.best); });
@@ -69,6 +70,12 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
     stop_reason_ = "nothing to search";
   }
   conclude(number, weighting);
+}
+
+void ModelSearch::suggest(const ModelSearch& other) {
+  if (space_.dimensions() == 0) return;
+  for (const Point& rest : {selected_.x, Point(Point::Zero(space_.dimensions()))})
+    search_.suggested.push_back(space_.adopt(rest, other.space_, other.selected_.x));
 }
 
 std::int64_t ModelSearch::planned(int number) const {
@@ -128,15 +135,18 @@ Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const
 // The best on some seeds are partly lucky with them: they are simulated again on those of the next round.
 void ModelSearch::promote(const Round& from, Round& to, std::size_t most, double apart, int pass, const char* phase,
                           const Weighting& weighting) {
-  auto chosen = leaders(from, weighting, most, apart);
-  if (from.recommended.size() > 0) chosen.push_back({from.recommended, 0});
-  std::erase_if(chosen, [&](const Evaluated& e) {
-    return std::any_of(to.archive.begin(), to.archive.end(), [&](const Archived& a) { return same(a.x, e.x); });
-  });
   std::vector<Point> points;
-  for (const auto& leader : chosen) points.push_back(leader.x);
+  const auto add = [&](const Point& x) {
+    const auto known = [&](const Archived& a) { return same(a.x, x); };
+    const auto chosen = [&](const Point& other) { return same(other, x); };
+    if (std::none_of(to.archive.begin(), to.archive.end(), known) && std::none_of(points.begin(), points.end(), chosen))
+      points.push_back(x);
+  };
+  for (const auto& leader : leaders(from, weighting, most, apart)) add(leader.x);
+  if (from.recommended.size() > 0) add(from.recommended);
+  for (const Point& x : from.suggested) add(x);
   const auto outcomes = simulate(to, points, space_, objective_);
-  for (std::size_t k = 0; k < chosen.size(); ++k) keep(to, chosen[k].x, outcomes[k], pass, phase);
+  for (std::size_t k = 0; k < points.size(); ++k) keep(to, points[k], outcomes[k], pass, phase);
 }
 
 void ModelSearch::conclude(int number, const Weighting& weighting) {

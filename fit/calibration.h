@@ -26,6 +26,10 @@ class ModelSearch {
   // leaders, confirms the best of those, and reports the winner on seeds that had no part in choosing it.
   void pass(int number, const Weighting& weighting, const OnSearch& on_search);
 
+  // The next pass tries what another search has selected: together with this one's own parameters, and with the lowest of all that the
+  // other does not have, which is the other where its settings only leave something out.
+  void suggest(const ModelSearch& other);
+
   std::int64_t planned(int number) const;  // simulations of a pass, at most
   const Selected& selected() const { return selected_; }
   const SearchSpace& space() const { return space_; }

@@ -76,6 +76,7 @@ class Calibration {
     weighting_ = searched;
     const int passes = searches_.size() < 2 ? 1 : options_.budget.passes;
     for (int pass = 1; pass <= passes; ++pass) {
+      if (pass > 1) exchange();
       for (std::size_t m = 0; m < searches_.size(); ++m)
         searches_[m].pass(pass, searched, [&](std::int64_t simulations, double best) { return tell(m, pass, passes, simulations, best); });
       if (searches_.size() < 2) break;
@@ -94,6 +95,13 @@ class Calibration {
   const Weighting& weighting() const { return weighting_; }
 
  private:
+  // Settings of one model learn from each other.
+  void exchange() {
+    for (auto& search : searches_)
+      for (const auto& other : searches_)
+        if (&search != &other && search.space().model().spec == other.space().model().spec) search.suggest(other);
+  }
+
   bool tell(std::size_t m, int pass, int passes, std::int64_t simulations, double best) const {
     return !on_progress_ ||
            on_progress_({options_.models[m].name, m, searches_.size(), pass, passes, simulations, searches_[m].planned(pass), best});

@@ -86,6 +86,26 @@ void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::strin
   warn_of_step(m, r, out);
 }
 
+std::string_view without_settings(std::string_view model) { return model.substr(0, model.find('[')); }
+
+// Is `part` what `whole` is with a strength at zero? It then searches some of the same parameters, and of the rest one may be zero.
+bool is_part(const FitResult& part, const FitResult& whole) {
+  if (without_settings(part.model) != without_settings(whole.model)) return false;
+  const auto searched = [](const FitResult& fit, const std::string& name) {
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const auto& p) { return p.fitted && p.name == name; });
+  };
+  return std::all_of(part.parameters.begin(), part.parameters.end(), [&](const auto& p) { return !p.fitted || searched(whole, p.name); }) &&
+         std::any_of(whole.parameters.begin(), whole.parameters.end(),
+                     [&](const auto& p) { return p.fitted && p.lower == 0 && !searched(part, p.name); });
+}
+
+void warn_of_parts(const FitResult& whole, const Comparison& r, std::vector<std::string>& out) {
+  for (const FitResult& part : r.models)
+    if (is_part(part, whole) && part.score - whole.score > kStandardErrors * std::hypot(part.score_se, whole.score_se))
+      warn(out, "{} is worse than its own part {}, so its search was not finished; a larger --budget may move its rank.", whole.model,
+           part.model);
+}
+
 }  // namespace
 
 PerColumn<double> resolution(const Conditions& c, const Target& target, const CompareOptions& options, const PerColumn<bool>& drowned) {
@@ -216,7 +236,10 @@ std::vector<std::string> warnings_for(const Comparison& r) {
       warn(out, "{} and {} cannot be told apart: their scores differ by {:.3f}, less than two standard errors ({:.3f}) of the simulations.",
            first.model, second.model, first.score - second.score, kStandardErrors * se);
   }
-  for (const auto& model : r.models) warn_of_fit(model, r, out);
+  for (const auto& model : r.models) {
+    warn_of_fit(model, r, out);
+    warn_of_parts(model, r, out);
+  }
   return out;
 }
 

@@ -25,8 +25,9 @@ struct Archived {
 struct Round {
   Stream stream;
   std::vector<Rng> seeds;
-  std::vector<Archived> archive;  // simulated on all seeds
-  Point recommended;              // by the last search's response surface; empty before
+  std::vector<Archived> archive;   // simulated on all seeds
+  Point recommended;               // by the last search's response surface; empty before
+  std::vector<Point> suggested{};  // by searches of the same model with other settings
 
   bool complete(const Outcome& outcome) const { return outcome.replicates.size() == seeds.size(); }
 };

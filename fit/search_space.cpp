@@ -104,6 +104,13 @@ Point SearchSpace::point(const std::vector<double>& parameters) const {
   return x;
 }
 
+Point SearchSpace::adopt(const Point& x, const SearchSpace& other, const Point& there) const {
+  auto values = parameters(x);
+  const auto theirs = other.parameters(there);
+  for (const auto p : other.searched_) values[p] = theirs[p];
+  return point(values);
+}
+
 std::vector<ParameterResult> SearchSpace::describe(const Point& x, const std::string& length_unit) const {
   const auto values = parameters(x);
   const auto& table = model_.spec->parameters;

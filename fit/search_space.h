@@ -31,6 +31,9 @@ class SearchSpace {
   std::vector<double> parameters(const Point& x) const;                   // all rows, physical units
   Point start() const { return point(base_); }                            // the defaults, or what was set
   Point point(const std::vector<double>& parameters) const;               // inverse on the searched rows, clamped to the cube
+  // x, but what is also searched in `other` is as at its point `there`, or as near as the bounds allow.
+  Point adopt(const Point& x, const SearchSpace& other, const Point& there) const;
+  const ModelChoice& model() const { return model_; }
   std::vector<ParameterResult> describe(const Point& x, const std::string& length_unit) const;
 
  private:

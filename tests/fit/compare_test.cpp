@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "fit/facts.h"
 #include "fit/objective.h"
 #include "fit/recovery.h"
 #include "fit/screening.h"
@@ -20,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-CompareOptions tiny(std::vector<std::string> names, std::uint64_t seed = 1) {
+CompareOptions tiny(const std::vector<std::string>& names, std::uint64_t seed = 1) {
   CompareOptions o;
   for (const auto& name : names) o.models.push_back(parse_model(name));
   o.binning = Binning::standard(Normalisation::reference);
@@ -180,6 +181,63 @@ TEST(Compare, WinnerIsTheBestOfTheConfirmed) {
   ASSERT_NE(reported, nullptr);
   EXPECT_EQ(reported->x, best->x);
   EXPECT_NE(reported->raw, best->raw) << "reported on the seeds it was chosen by";
+}
+
+// Settings of one model learn from each other: whatever a part of the model has found, the whole can do.
+TEST(Compare, LaterPassesTryWhatOtherSettingsHaveFound) {
+  auto options = tiny({"bswarm", "bswarm[interaction=off]"});
+  options.budget.passes = 2;
+  options.weight_tolerance = 0;
+  const Comparison result = compare(test::planted_swarm(4), options);
+  ASSERT_EQ(result.searched[0], (std::vector<std::string>{"gamma", "noise", "scale", "chi_rep", "chi_att", "r_rep", "r_att", "radius"}));
+  ASSERT_EQ(result.searched[1], (std::vector<std::string>{"gamma", "noise", "scale", "radius"}));
+  std::vector<double> part;
+  int whole_as_part = 0, part_as_whole = 0;
+  std::vector<double> whole;
+  for (const HistoryRow& row : result.history)
+    if (row.pass == 1 && row.phase == "final") (row.model == 0 ? whole : part) = row.x;
+  ASSERT_EQ(part.size(), 4U);
+  const auto near = [](const std::vector<double>& a, const std::vector<double>& b) {
+    for (std::size_t k = 0; k < a.size(); ++k)
+      if (std::abs(a[k] - b[k]) > 1e-9 * (1 + std::abs(b[k]))) return false;
+    return true;
+  };
+  for (const HistoryRow& row : result.history) {
+    if (row.pass != 2 || row.phase != "select") continue;
+    whole_as_part += row.model == 0 && near(row.x, {part[0], part[1], part[2], 0, 0, 0, 0, part[3]});
+    part_as_whole += row.model == 1 && near(row.x, {whole[0], whole[1], whole[2], whole[7]});
+  }
+  EXPECT_EQ(whole_as_part, 1);
+  EXPECT_EQ(part_as_whole, 1);
+}
+
+TEST(Compare, APartThatBeatsItsWholeIsWarnedOf) {
+  Comparison result =
+      compare(test::planted_swarm(4), tiny({"bswarm", "bswarm[interaction=off]", "bswarm[noise=white]", "bswarm[avoidance=none]"}));
+  const auto score = [&](const char* model, double value) {
+    for (auto& fit : result.models)
+      if (fit.model == model) fit.score = value, fit.score_se = 0.01;
+  };
+  const auto warned = ::testing::Contains(HasSubstr("worse than its own part"));
+  score("bswarm[noise=white]", 1);     // not a part of bswarm: it has a parameter of its own
+  score("bswarm[avoidance=none]", 1);  // not a part either: no radius of bswarm is as good as none
+  score("bswarm", 0.5);
+  score("bswarm[interaction=off]", 0.52);  // within two standard errors
+  EXPECT_THAT(warnings_for(result), ::testing::Not(warned));
+  score("bswarm[interaction=off]", 0.6);
+  EXPECT_THAT(warnings_for(result), ::testing::Contains(HasSubstr("bswarm is worse than its own part bswarm[interaction=off]")));
+}
+
+TEST(Objective, AModelWithAStrengthOfZeroIsItsPart) {
+  const ModelChoice whole = parse_model("bswarm"), part = parse_model("bswarm[interaction=off]");
+  const Conditions conditions = make_conditions(test::planted_swarm(4), {});
+  const Target target(metric_samples(conditions.recording), {});
+  const SearchSpace wide(whole, conditions.scales, {}), narrow(part, conditions.scales, {});
+  const Point there = Point::Constant(narrow.dimensions(), 0.3);
+  const auto values = wide.parameters(wide.adopt(Point::Zero(wide.dimensions()), narrow, there));
+  const auto seeds = replicate_seeds({1}, Stream::replicate, 2);
+  EXPECT_EQ(Objective(whole, conditions, target).evaluate(values, seeds).raw,
+            Objective(part, conditions, target).evaluate(narrow.parameters(there), seeds).raw);
 }
 
 TEST(Compare, HardLimitOfEvaluationsIsKept) {
