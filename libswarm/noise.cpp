@@ -45,23 +45,25 @@ Ramp blend(const Ramp& a, const Ramp& b, const Along& along, std::size_t axis) {
 // ---- several potentials at once, one per lane; operation by operation what Perlin does ----------------------------------------------
 
 struct Along4 {
-  unsigned cell[4];
+  std::int32_t cell[4];
   Lanes t, fade, slope;
 };
 
-inline __attribute__((always_inline)) Along4 along(const double* x) {
-  Along4 a;
-  Lanes floor;
-  for (int l = 0; l < 4; ++l) {
-    floor[l] = std::floor(x[l]);
-    a.cell[l] = static_cast<unsigned>(static_cast<std::int64_t>(floor[l])) & 255u;
-    a.t[l] = x[l];
-  }
-  const Lanes t = a.t - floor;
+inline __attribute__((always_inline)) void floor_of(const Lanes& x, Lanes& out) {
+  for (int l = 0; l < 4; ++l) out[l] = std::floor(x[l]);
+}
+
+inline __attribute__((always_inline)) void along(const Lanes& x, Along4& a) {
+  using Four = std::int32_t __attribute__((vector_size(16)));
+  Lanes floor, period;
+  floor_of(x, floor);
+  floor_of(floor / 256, period);
+  const Four cell = __builtin_convertvector(floor - 256 * period, Four) & 255;  // masked for what is not finite
+  std::memcpy(a.cell, &cell, sizeof cell);
+  const Lanes t = x - floor;
   a.t = t;
   a.fade = t * t * t * (t * (t * 6 - 15) + 10);
   a.slope = 30 * t * t * (t - 1) * (t - 1);
-  return a;
 }
 
 struct Ramps {
@@ -72,25 +74,66 @@ inline __attribute__((always_inline)) Ramps mixed(const Ramps& a, const Ramps& b
   return {a.value + w * (b.value - a.value), a.x + w * (b.x - a.x), a.y + w * (b.y - a.y), a.z + w * (b.z - a.z)};
 }
 
-// The three permutations, each twice, and where each potential is taken; the fourth lane is not used.
+// kGradient by component, a byte for each: the top byte of the double 2, -2 or 0. The bytes of all corners and potentials are found in two
+// look-ups within a register, and a shift turns each into a number.
+using Bytes = std::uint8_t __attribute__((vector_size(16)));
+using Words = std::uint32_t __attribute__((vector_size(16)));
+constexpr std::uint8_t kPlus = 0x40, kMinus = 0xC0;
+constexpr double kUnit = 0.5;  // exact: results are as if the components were 1 and -1
+constexpr Bytes kComponent[3] = {{kPlus, kMinus, kPlus, kMinus, kPlus, kMinus, kPlus, kMinus, 0, 0, 0, 0, kPlus, 0, kMinus, 0},
+                                 {kPlus, kPlus, kMinus, kMinus, 0, 0, 0, 0, kPlus, kMinus, kPlus, kMinus, kPlus, kMinus, kPlus, kMinus},
+                                 {0, 0, 0, 0, kPlus, kPlus, kMinus, kMinus, kPlus, kPlus, kMinus, kMinus, 0, kPlus, 0, kMinus}};
+
+// The table's entries at the lower halves of `where`.
+inline __attribute__((always_inline)) void look_up(const Bytes& table, const Words& where, std::uint32_t* out) {
+#ifdef __clang__
+  const auto which = __builtin_bit_cast(Bytes, where);
+  Bytes found;
+  for (int k = 0; k < 16; ++k) found[k] = table[which[k] & 15];
+#else
+  const Bytes found = __builtin_shuffle(table, __builtin_bit_cast(Bytes, where));
+#endif
+  std::memcpy(out, &found, sizeof found);
+}
+
+// Lane l: the number whose top byte is byte l.
+inline __attribute__((always_inline)) void widen(std::uint32_t bytes, Lanes& out) {
+  using Pairs = std::uint32_t __attribute__((vector_size(32)));
+  using Quads = std::uint64_t __attribute__((vector_size(32)));
+  const auto twice = __builtin_bit_cast(Quads, Pairs{} + bytes);
+  out = __builtin_bit_cast(Lanes, (twice << Quads{24, 16, 8, 0}) & (Quads{} + (std::uint64_t{0xFF} << 56)));
+}
+
+// The three permutations, each twice, and where each potential is taken: x + offset; the fourth lane is not used.
 using Hash = std::array<std::uint8_t, 512>;
 struct Query {
-  const Hash* hash[4];
-  double x[3][4];
+  const Hash* hash[3];
+  const double (*offset)[4];
+  double x[3];
 };
 
 SWARMFIT_HOT void three_potentials(const Query& query, Ramps& out) {
-  const Along4 x = along(query.x[0]), y = along(query.x[1]), z = along(query.x[2]);
-  unsigned h[8][4];
-  for (int l = 0; l < 4; ++l) {
+  Along4 x, y, z;
+  Lanes offset;
+  load(query.offset[0], offset), along(query.x[0] + offset, x);
+  load(query.offset[1], offset), along(query.x[1] + offset, y);
+  load(query.offset[2], offset), along(query.x[2] + offset, z);
+  unsigned h[8] = {};  // a byte per lane
+  for (int l = 0; l < 3; ++l) {
     const std::uint8_t* hash = query.hash[l]->data();
-    for (unsigned c = 0; c < 8; ++c)
-      h[c][l] = hash[hash[hash[x.cell[l] + (c & 1)] + y.cell[l] + (c >> 1 & 1)] + z.cell[l] + (c >> 2)] & 15u;
+    const int row[2] = {hash[x.cell[l]] + y.cell[l], hash[x.cell[l] + 1] + y.cell[l]};
+    for (int c = 0; c < 8; ++c) h[c] |= unsigned{hash[hash[row[c & 1] + (c >> 1 & 1)] + z.cell[l] + (c >> 2)]} << 8 * l;
+  }
+  // All 32 components of one kind are two look-ups in a table that fits a register.
+  std::uint32_t g[3][8];
+  for (int half = 0; half < 8; half += 4) {
+    const Words four{h[half], h[half + 1], h[half + 2], h[half + 3]};
+    for (int axis = 0; axis < 3; ++axis) look_up(kComponent[axis], four, &g[axis][half]);
   }
   Ramps corner[8];
   for (unsigned c = 0; c < 8; ++c) {
-    const double *a = kGradient[h[c][0]], *b = kGradient[h[c][1]], *d = kGradient[h[c][2]], *e = kGradient[h[c][3]];
-    const Lanes gx{a[0], b[0], d[0], e[0]}, gy{a[1], b[1], d[1], e[1]}, gz{a[2], b[2], d[2], e[2]};
+    Lanes gx, gy, gz;
+    widen(g[0][c], gx), widen(g[1][c], gy), widen(g[2][c], gz);
     corner[c] = {gx * (x.t - (c & 1)) + gy * (y.t - (c >> 1 & 1)) + gz * (z.t - (c >> 2)), gx, gy, gz};
   }
   Ramps edge[4], face[2];
@@ -104,6 +147,7 @@ SWARMFIT_HOT void three_potentials(const Query& query, Ramps& out) {
   }
   out = mixed(face[0], face[1], z.fade);
   out.z += z.slope * (face[1].value - face[0].value);
+  out = {kUnit * out.value, kUnit * out.x, kUnit * out.y, kUnit * out.z};
 }
 
 }  // namespace
@@ -141,18 +185,14 @@ NoiseField::NoiseField(const Rng& rng)
     const auto xy = rng.uniform2(Stream::noise_table, 1, k, 0);
     const auto z = rng.uniform2(Stream::noise_table, 1, k, 1);
     offset_[k] = 256 * Eigen::Array3d(xy[0], xy[1], z[0]);
+    for (Index axis = 0; axis < 3; ++axis) lanes_[axis][k] = offset_[k][axis];
   }
 }
 
 Eigen::Array3d NoiseField::potential(const Eigen::Array3d& x) const { return vector_potential(x).value; }
 
 VectorPotential NoiseField::vector_potential(const Eigen::Array3d& x) const {
-  Query query;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t lane = std::min<std::size_t>(k, 2);
-    query.hash[k] = &perlin_[lane].hash_;
-    for (Index axis = 0; axis < 3; ++axis) query.x[axis][k] = x[axis] + offset_[lane][axis];
-  }
+  const Query query{{&perlin_[0].hash_, &perlin_[1].hash_, &perlin_[2].hash_}, lanes_, {x[0], x[1], x[2]}};
   Ramps r;
   three_potentials(query, r);
   VectorPotential p;

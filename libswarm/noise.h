@@ -61,6 +61,7 @@ class NoiseField {
  private:
   std::array<Perlin, 3> perlin_;
   std::array<Eigen::Array3d, 3> offset_;
+  double lanes_[3][4]{};  // the same by axis, a potential per lane
 };
 
 // Three independent numbers, uniform on [-1, 1): variance 1/3 each.
