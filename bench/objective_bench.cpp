@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a fit spends its time on: one evaluation of the objective, one replicate, averaged over points scattered over the search space as
-// the candidates of a first generation are. Arguments: agents and frames of the recording. With OMP_NUM_THREADS=1 the time is one core's.
+// the candidates of a first generation are. Items are agent-steps. Names are part/whose/agents/frames of the recording.
 #include <benchmark/benchmark.h>
 
 #include "fit/objective.h"
@@ -60,9 +60,8 @@ void evaluate(benchmark::State& state, const char* name) {
   double failed = 0;
   for (auto _ : state) failed += objective.evaluate(candidates[next++ % kCandidates], seeds).failed;
   const auto evaluations = static_cast<double>(state.iterations());
-  const double steps = evaluations * static_cast<double>(state.range(0) * (state.range(1) - 1) * objective.substeps());
-  state.counters["ns_per_agent_step"] = benchmark::Counter(steps * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-  state.counters["substeps"] = objective.substeps();
+  state.SetItemsProcessed(
+      static_cast<std::int64_t>(evaluations * static_cast<double>(state.range(0) * (state.range(1) - 1) * objective.substeps())));
   state.counters["failed"] = failed / evaluations;
 }
 
@@ -71,11 +70,11 @@ void recordings(benchmark::internal::Benchmark* benchmark) {
   benchmark->Args({10, 500})->Args({100, 500})->Iterations(3 * kCandidates)->Unit(benchmark::kMillisecond);
 }
 
-BENCHMARK_CAPTURE(evaluate, bswarm, "bswarm")->Apply(recordings);
-BENCHMARK_CAPTURE(evaluate, rvo, "rvo")->Apply(recordings);
-BENCHMARK_CAPTURE(evaluate, noise_aware, "noise_aware")->Apply(recordings);
-BENCHMARK_CAPTURE(evaluate, brownian, "brownian")->Apply(recordings);
-BENCHMARK_CAPTURE(evaluate, boids, "boids")->Apply(recordings);
+const bool registered = [] {
+  for (const char* model : {"bswarm", "rvo", "noise_aware", "brownian", "langevin", "boids"})
+    recordings(benchmark::RegisterBenchmark((std::string("one evaluation of ") + model + "/ours").c_str(), evaluate, model));
+  return true;
+}();
 
 }  // namespace
 }  // namespace swarmfit

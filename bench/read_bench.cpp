@@ -39,6 +39,7 @@ void ours(benchmark::State& state) {
   const Csv csv(state.range(0));
   ReadOptions options;
   options.fps = 100;
+  options.unit = "mm";
   for (auto _ : state) benchmark::DoNotOptimize(read_tracks(csv.path(), options).rows());
   state.SetBytesProcessed(state.iterations() * csv.bytes());
 }

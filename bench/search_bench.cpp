@@ -47,7 +47,8 @@ Method nlopt_method(nlopt::algorithm algorithm, bool local) {
       return c;
     };
     nlopt::srand(seed);
-    for (std::uint32_t start = 0; used < evaluations; ++start) {
+    std::uint32_t start = 0;
+    while (used < evaluations) {
       nlopt::opt opt(algorithm, d);
       opt.set_lower_bounds(0.0);
       opt.set_upper_bounds(1.0);
@@ -59,6 +60,7 @@ Method nlopt_method(nlopt::algorithm algorithm, bool local) {
           const_cast<void*>(static_cast<const void*>(&cost)));
       std::vector<double> x(d);
       for (unsigned k = 0; k < d; ++k) x[k] = Rng{seed}.uniform(Stream::search, start, k);
+      ++start;
       double value = 0;
       opt.optimize(x, value);
     }
