@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/version.h"
 #include "libtrack/error.h"
+#include "libtrack/memory.h"
 
 namespace swarmfit::cli {
 namespace {
@@ -276,6 +277,7 @@ int complain(const char* what, int code) {
 
 int main(int argc, char** argv) {
   using swarmfit::cli::complain;
+  swarmfit::keep_freed_memory();
   try {
     return swarmfit::cli::run(argc, argv);
   } catch (const swarmfit::InputError& e) {

@@ -39,11 +39,13 @@ struct Level {
 
 std::vector<double> filtered(const Tracks& tracks, Index axis, const std::vector<double>& c) {
   const auto x = tracks.pos().col(axis);
-  std::vector<double> out;
+  std::vector<double> out, path;
   for_each_segment(tracks, static_cast<Index>(c.size()), [&](std::span<const Index> rows) {
+    path.clear();
+    for (const Index row : rows) path.push_back(x(row));
     for (std::size_t k = 0; k + c.size() <= rows.size(); ++k) {
       double sum = 0;
-      for (std::size_t i = 0; i < c.size(); ++i) sum += c[i] * x(rows[k + i]);
+      for (std::size_t i = 0; i < c.size(); ++i) sum += c[i] * path[k + i];
       out.push_back(sum);
     }
   });

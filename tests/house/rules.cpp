@@ -59,6 +59,7 @@ const std::vector<Library> kLibraries{
     {"gtest/", {"tests"}, true},
     {"gmock/", {"tests"}, true},
     {"benchmark/", {"bench"}, true},
+    {"malloc.h", {"libtrack"}, false},
     {"math.h", {"libtrack", "libeval", "fit"}, false},  // Boost 1.74's pchip does not compile without it
     {"unistd.h", {"libtrack", "fit", "reports", "cli"}, false},
     {"fcntl.h", {"libtrack", "fit", "reports", "cli"}, false},
