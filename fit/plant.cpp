@@ -27,10 +27,12 @@ State start(const PlantOptions& o) {
   const Rng rng{o.seed};
   State state;
   const Eigen::Array3d centre = middle_of(o.arena);
-  for (std::uint32_t id = 0; id < static_cast<std::uint32_t>(o.agents); ++id) {
+  state.append(o.agents);
+  for (Index i = 0; i < state.size(); ++i) {
+    const std::uint32_t id = state.id[static_cast<std::size_t>(i)];
     const double r = o.start_radius * std::pow(rng.uniform(Stream::start, 0, id, 0), 1.0 / o.dims);
-    state.spawn(0, centre + r * direction(rng.uniform2(Stream::start, 0, id, 1), o.dims),
-                o.start_speed * direction(rng.uniform2(Stream::start, 0, id, 2), o.dims));
+    state.pos.row(i) = (centre + r * direction(rng.uniform2(Stream::start, 0, id, 1), o.dims)).transpose();
+    state.vel.row(i) = (o.start_speed * direction(rng.uniform2(Stream::start, 0, id, 2), o.dims)).transpose();
   }
   return state;
 }

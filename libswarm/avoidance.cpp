@@ -89,8 +89,17 @@ std::optional<Vector3d> solve(std::span<const HalfSpace> allowed, const Goal& go
 
 // ---- four half-spaces at once; operation by operation reciprocal_half_space -----------------------------------------
 
-inline __attribute__((always_inline)) void dot(const Lanes (&a)[3], const Lanes (&b)[3], Lanes& out) {
-  out = (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+// No arrays of lanes: GCC 12 keeps those in memory.
+struct Lanes3 {
+  Lanes x, y, z;
+};
+
+inline __attribute__((always_inline)) void load3(const double (&from)[3][4], Lanes3& to) {
+  load(from[0], to.x), load(from[1], to.y), load(from[2], to.z);
+}
+
+inline __attribute__((always_inline)) void dot(const Lanes3& a, const Lanes3& b, Lanes& out) {
+  out = (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
 inline __attribute__((always_inline)) void root(const Lanes& a, Lanes& out) {
@@ -106,33 +115,35 @@ struct Encounter {
 };
 
 SWARMFIT_HOT void four_half_spaces(const FourNeighbours& four, const Encounter& e, FourHalfSpaces& out) {
-  Lanes o[3], r[3];
-  for (int k = 0; k < 3; ++k) load(four.offset[k], o[k]), load(four.relative[k], r[k]);
+  Lanes3 o, r;
+  load3(four.offset, o), load3(four.relative, r);
   const Lanes zero{}, one = zero + 1;
   const double touch2 = e.distance * e.distance;
-  Lanes apart2, side, w2, b, speed2, cross2, sqrt;
+  Lanes apart2, side, w2, b, speed2, cross2, sqrt, length;
   dot(o, o, apart2);
   const LaneMask touching = apart2 <= touch2;
-  const Lanes horizon = touching ? zero + e.dt : zero + e.tau;
-  Lanes w[3] = {r[0] - o[0] / horizon, r[1] - o[1] / horizon, r[2] - o[2] / horizon};
+  const Lanes rate = touching ? zero + 1 / e.dt : zero + 1 / e.tau;
+  Lanes3 w{r.x - o.x * rate, r.y - o.y * rate, r.z - o.z * rate};
   dot(w, o, side);
   dot(w, w, w2);
   const LaneMask cone = ~touching & ~((side < 0) & (side * side > touch2 * w2));
-  const Lanes cross[3] = {o[1] * r[2] - o[2] * r[1], o[2] * r[0] - o[0] * r[2], o[0] * r[1] - o[1] * r[0]};
+  const Lanes3 cross{o.y * r.z - o.z * r.y, o.z * r.x - o.x * r.z, o.x * r.y - o.y * r.x};
   dot(o, r, b);
   dot(r, r, speed2);
   dot(cross, cross, cross2);
   const Lanes c = speed2 - cross2 / (apart2 - touch2), under = b * b - apart2 * c;
   root(under > 0 ? under : zero, sqrt);
   const Lanes t = (b + sqrt) / apart2;
-  const Lanes cut = cone ? t * e.distance : e.distance / horizon;
-  for (int k = 0; k < 3; ++k) w[k] = cone ? r[k] - t * o[k] : w[k];
+  const Lanes cut = cone ? t * e.distance : e.distance * rate;
+  w.x = cone ? r.x - t * o.x : w.x;
+  w.y = cone ? r.y - t * o.y : w.y;
+  w.z = cone ? r.z - t * o.z : w.z;
   dot(w, w, w2);
-  Lanes length;
   root(w2, length);
-  for (int k = 0; k < 3; ++k) out.normal[k] = length > 0 ? w[k] / length : (k == 0 ? one : zero);
-  const Lanes v[3] = {zero + e.velocity[0], zero + e.velocity[1], zero + e.velocity[2]};
-  dot(out.normal, v, out.bound);
+  const Lanes per_length = 1 / length;
+  const Lanes3 normal{length > 0 ? w.x * per_length : one, length > 0 ? w.y * per_length : zero, length > 0 ? w.z * per_length : zero};
+  out.normal[0] = normal.x, out.normal[1] = normal.y, out.normal[2] = normal.z;
+  dot(normal, {zero + e.velocity[0], zero + e.velocity[1], zero + e.velocity[2]}, out.bound);
   out.bound += 0.5 * (cut - length);
 }
 
@@ -153,10 +164,10 @@ HalfSpace reciprocal_half_space(const Vector3d& offset, const Vector3d& velocity
                                 double dt, const Vector3d& tie) {
   const double apart2 = offset.squaredNorm(), touch2 = distance * distance;
   const bool touching = apart2 <= touch2;
-  const double horizon = touching ? dt : tau;
-  Vector3d w = relative - offset / horizon;  // from the centre of the cone's cap to the relative velocity
+  const double rate = touching ? 1 / dt : 1 / tau;
+  Vector3d w = relative - offset * rate;  // from the centre of the cone's cap to the relative velocity
   const double side = w.dot(offset);
-  double cut = distance / horizon;  // radius of the ball at whose surface the pair just touches
+  double cut = distance * rate;  // radius of the ball at whose surface the pair just touches
   if (!touching && !(side < 0 && side * side > touch2 * w.squaredNorm())) {
     // The cone beyond the cap: of all its balls t · offset with radius t · distance the one whose surface is nearest.
     const double b = offset.dot(relative);
@@ -166,7 +177,7 @@ HalfSpace reciprocal_half_space(const Vector3d& offset, const Vector3d& velocity
     cut = t * distance;
   }
   const double length = w.norm();
-  const Vector3d normal = length > 0 ? Vector3d(w / length) : tie;
+  const Vector3d normal = length > 0 ? Vector3d(w * (1 / length)) : tie;
   return {normal, normal.dot(velocity) + 0.5 * (cut - length)};
 }
 

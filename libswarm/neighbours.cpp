@@ -10,8 +10,8 @@ namespace swarmfit {
 namespace {
 
 constexpr double kPerCell = 4;        // agents per cell that a search aims at
-constexpr double kMargin = 1e-9;      // of a cell: an agent may lie outside its cell by rounding
 constexpr double kCellsPerAgent = 2;  // more cells than this cost more to clear than they save
+constexpr std::size_t kBeyond = 3;    // places behind the last slot that are read, four at a time, but not used
 constexpr std::size_t kRanked = 32;   // this few are sorted by counting, for each, who comes before it
 
 // Where somebody is, and the periods; 0: none.
@@ -44,6 +44,40 @@ SWARMFIT_HOT void squares_periodic(const double* __restrict x, const double* __r
   squares<true>(x, y, z, n, from, out);
 }
 
+// Appends the slots within the squared radius; distances are computed four at a time, up to three beyond a run's end.
+template <bool periodic>
+inline __attribute__((always_inline)) std::size_t collect(const double* x, const double* y, const double* z, const Neighbours::Run* runs,
+                                                          std::size_t count, const Origin& from, double radius2, Index self,
+                                                          double* distance2, std::uint32_t* slots) {
+  constexpr Index block = 32;
+  std::size_t found = 0;
+  double d2[block];
+  for (std::size_t k = 0; k < count; ++k) {
+    for (Index first = runs[k].first; first < runs[k].end; first += block) {
+      const Index n = std::min(block, runs[k].end - first);
+      squares<periodic>(x + first, y + first, z + first, (n + 3) / 4 * 4, from, d2);
+      for (Index s = 0; s < n; ++s) {  // written always, kept only by the count: no branch to mispredict
+        distance2[found] = d2[s];
+        slots[found] = static_cast<std::uint32_t>(first + s);
+        found += static_cast<std::size_t>((d2[s] < radius2) & (first + s != self));
+      }
+    }
+  }
+  return found;
+}
+
+SWARMFIT_HOT std::size_t collect_open(const double* x, const double* y, const double* z, const Neighbours::Run* runs, std::size_t count,
+                                      const Origin& from, double radius2, Index self, double* __restrict distance2,
+                                      std::uint32_t* __restrict slots) {
+  return collect<false>(x, y, z, runs, count, from, radius2, self, distance2, slots);
+}
+
+SWARMFIT_HOT std::size_t collect_periodic(const double* x, const double* y, const double* z, const Neighbours::Run* runs,
+                                          std::size_t count, const Origin& from, double radius2, Index self, double* __restrict distance2,
+                                          std::uint32_t* __restrict slots) {
+  return collect<true>(x, y, z, runs, count, from, radius2, self, distance2, slots);
+}
+
 struct Keys {
   Lanes distance2[kRanked / 4], row[kRanked / 4];
 };
@@ -68,7 +102,7 @@ void Neighbours::build(const Rows& pos, const Bounds& bounds, double radius, Met
   const auto n = static_cast<std::size_t>(pos.rows());
   row_.resize(n);
   slot_.resize(n);
-  for (auto& x : x_) x.resize(n);
+  for (auto& x : x_) x.resize(n + kBeyond);
   lay_grid(pos, bounds);
   sort_into_cells(pos);
 }
@@ -105,6 +139,7 @@ void Neighbours::lay_grid(const Rows& pos, const Bounds& bounds) {
   for (std::size_t k = 0; k < 3; ++k) {
     axes_[k].cells = static_cast<Index>(cells(k, edge));
     if (extent[k] > 0) axes_[k].edge = extent[k] / static_cast<double>(axes_[k].cells);
+    axes_[k].per_edge = 1 / axes_[k].edge;
   }
 }
 
@@ -138,18 +173,12 @@ void Neighbours::sort_into_cells(const Rows& pos) {
     for (std::size_t i = 0; i < n; ++i) x_[k][static_cast<std::size_t>(slot_[i])] = place(i, k);
 }
 
-Neighbours::Span Neighbours::span(const Axis& axis, double x, double reach) const {
-  const double margin = kMargin * axis.edge;
-  if (axis.period <= 0) return {axis.clamped(x - reach - margin), axis.clamped(x + reach + margin), false};
-  const double first = axis.cell(x - reach - margin), last = axis.cell(x + reach + margin);
-  if (last - first + 1 >= static_cast<double>(axis.cells)) return {0, axis.cells - 1, true};
-  return {static_cast<Index>(first), static_cast<Index>(last), false};
-}
-
-// Distance from x to a cell's nearer face; 0 inside, and 0 rather than a rounding error too much.
-double Neighbours::gap(const Axis& axis, Index cell, double x) {
-  const double low = axis.low + static_cast<double>(cell) * axis.edge;
-  return std::max({0.0, low - x, x - low - axis.edge}) * (1 - kMargin);
+std::size_t Neighbours::within(Index self, double radius, const Run* runs, std::size_t count, double* distance2,
+                               std::uint32_t* slots) const {
+  const auto s = static_cast<std::size_t>(self);
+  const Origin from{x_[0][s], x_[1][s], x_[2][s], {axes_[0].period, axes_[1].period, axes_[2].period}};
+  const auto compute = periodic_ ? collect_periodic : collect_open;
+  return compute(x_[0].data(), x_[1].data(), x_[2].data(), runs, count, from, radius * radius, self, distance2, slots);
 }
 
 void Neighbours::squared_distances(Index self, Index first, Index end, double* out) const {
@@ -163,18 +192,16 @@ void Neighbours::squared_distances(Index self, Index first, Index end, double* o
 std::size_t Neighbours::gather(Index i, double radius, Scratch& scratch) const {
   const Index self = slot(i);
   if (all_pairs_) return gather_all(radius, scratch);
-  std::vector<Found>& found = scratch.found;
-  std::size_t count = 0;
+  Index room = 0;
+  scratch.runs.clear();
   for_each_run(i, radius, [&](Index first, Index end) {
-    const std::size_t room = count + static_cast<std::size_t>(end - first);
-    if (found.size() < room) found.resize(std::max(room, 2 * found.size()));
-    for (Index s = first; s < end; ++s) {
-      const Eigen::Array3d d = offset(self, s);
-      const double d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-      found[count] = {d2, s};  // written always, kept only by the count: no branch to mispredict
-      count += static_cast<std::size_t>((d2 < radius * radius) & (s != self));
-    }
+    scratch.runs.push_back({first, end});
+    room += end - first;
   });
+  const auto most = static_cast<std::size_t>(room) + kBeyond + 1;
+  if (scratch.slots.size() < most) scratch.slots.resize(most), scratch.distance2.resize(most), scratch.found.resize(most);
+  const std::size_t count = within(self, radius, scratch.runs.data(), scratch.runs.size(), scratch.distance2.data(), scratch.slots.data());
+  for (std::size_t k = 0; k < count; ++k) scratch.found[k] = {scratch.distance2[k], static_cast<Index>(scratch.slots[k])};
   return count;
 }
 

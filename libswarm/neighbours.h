@@ -34,11 +34,15 @@ class Neighbours {
     double distance2;  // squared distance [unit²]
     Index slot;
   };
+  struct Run {
+    Index first, end;
+  };
   // What one thread needs for `nearest`; reused from call to call.
   struct Scratch {
     std::vector<Found> found;
-    std::vector<double> distance2;  // of all slots, infinite for oneself
+    std::vector<double> distance2;
     std::vector<std::uint32_t> slots;
+    std::vector<Run> runs;
   };
 
   // Positions must be finite.
@@ -49,13 +53,16 @@ class Neighbours {
   void visit(Index i, Visit&& visit) const {
     const Index self = slot(i);
     if (all_pairs_) return visit_from(0, self, visit);
-    for_each_run(i, radius_, [&](Index first, Index end) {
-      for (Index s = first; s < end; ++s) {
-        const Eigen::Array3d between = offset(self, s);
-        const double d2 = between[0] * between[0] + between[1] * between[1] + between[2] * between[2];
-        if (d2 < radius_ * radius_ && s != self) visit(row(s), between, std::sqrt(d2));
-      }
-    });
+    Candidates<kBlock> block;
+    double distance2[kBlock + 1];  // one more: what is not kept is written too
+    std::uint32_t slots[kBlock + 1];
+    const auto flush = [&] {
+      const std::size_t count = within(self, radius_, block.runs, block.count, distance2, slots);
+      for (std::size_t k = 0; k < count; ++k) visit(row(slots[k]), offset(self, slots[k]), std::sqrt(distance2[k]));
+      block.clear();
+    };
+    for_each_run(i, radius_, [&](Index first, Index end) { block.add(first, end, flush); });
+    flush();
   }
 
   // The same for j > i only, in ascending order. For all pairs.
@@ -67,8 +74,8 @@ class Neighbours {
 
   // For kernels that do their own distance test: run(first, end) is called for ranges of slots that together hold everybody nearer to i
   // than `radius`, i itself, and others besides; no slot twice.
-  template <class Run>
-  void for_each_run(Index i, double radius, Run&& run) const;
+  template <class Take>
+  void for_each_run(Index i, double radius, Take&& run) const;
 
   // The at most k nearest with distance < radius, ascending; equal distances by row. `hint` is a guess of the distance of the k-th and
   // becomes that distance: last step's makes the search fast, a wrong or zero one costs only time. Valid until the scratch is used again.
@@ -77,6 +84,7 @@ class Neighbours {
   Index size() const { return static_cast<Index>(row_.size()); }
   Index row(Index slot) const { return row_[static_cast<std::size_t>(slot)]; }
   Index slot(Index row) const { return slot_[static_cast<std::size_t>(row)]; }
+  std::span<const Index> rows() const { return row_; }  // by slot
   const double* coordinate(std::size_t axis) const { return x_[axis].data(); }  // by slot
 
   bool periodic() const { return periodic_; }
@@ -100,11 +108,32 @@ class Neighbours {
  private:
   // Cells along one axis: cell c covers low + [c, c + 1) · edge.
   struct Axis {
-    double low = 0, period = 0, edge = 1;
+    double low = 0, period = 0, edge = 1, per_edge = 1;
     Index cells = 1;
-    double cell(double x) const { return std::floor((x - low) / edge); }
-    Index clamped(double x) const { return static_cast<Index>(std::clamp(cell(x), 0.0, static_cast<double>(cells - 1))); }
+    double cell(double x) const { return std::floor((x - low) * per_edge); }
+    Index clamped(double x) const { return static_cast<Index>(std::clamp((x - low) * per_edge, 0.0, static_cast<double>(cells - 1))); }
   };
+  // Runs of slots that are gone through together, `most` slots at a time.
+  static constexpr Index kBlock = 256;
+  template <Index most>
+  struct Candidates {
+    static constexpr std::size_t kRuns = 64;
+    Run runs[kRuns];
+    std::size_t count = 0;
+    Index slots = 0;
+    void clear() { count = 0, slots = 0; }
+    template <class Flush>
+    void add(Index first, Index end, Flush&& flush) {
+      while (first < end) {
+        if (count == kRuns || slots == most) flush();
+        const Index upto = std::min(end, first + most - slots);
+        runs[count++] = {first, upto};
+        slots += upto - first;
+        first = upto;
+      }
+    }
+  };
+  static constexpr double kMargin = 1e-9;  // of a cell: an agent may lie outside its cell by rounding
   // Cells first .. last of an axis that come within reach of x; they may lie outside 0 .. cells-1 and wrap around.
   struct Span {
     Index first, last;
@@ -118,6 +147,8 @@ class Neighbours {
   std::size_t gather(Index i, double radius, Scratch& scratch) const;
   std::size_t gather_all(double radius, Scratch& scratch) const;
   std::span<const Found> sorted(std::size_t k, std::size_t count, Scratch& scratch) const;
+  // Those of the runs' slots, in order and without oneself, that are nearer than `radius`, with |offset(self, s)|². Both have room for all.
+  std::size_t within(Index self, double radius, const Run* runs, std::size_t count, double* distance2, std::uint32_t* slots) const;
   // |offset(self, s)|² for the slots first .. end-1.
   void squared_distances(Index self, Index first, Index end, double* out) const;
   void lay_grid(const Rows& pos, const Bounds& bounds);
@@ -130,6 +161,20 @@ class Neighbours {
   std::vector<Index> row_, slot_;         // row of a slot, slot of a row
   std::vector<Index> cell_, cell_first_;  // cell of a row; first slot of a cell
 };
+
+inline Neighbours::Span Neighbours::span(const Axis& axis, double x, double reach) const {
+  const double margin = kMargin * axis.edge;
+  if (axis.period <= 0) return {axis.clamped(x - reach - margin), axis.clamped(x + reach + margin), false};
+  const double first = axis.cell(x - reach - margin), last = axis.cell(x + reach + margin);
+  if (last - first + 1 >= static_cast<double>(axis.cells)) return {0, axis.cells - 1, true};
+  return {static_cast<Index>(first), static_cast<Index>(last), false};
+}
+
+// Distance from x to a cell's nearer face; 0 inside, and 0 rather than a rounding error too much.
+inline double Neighbours::gap(const Axis& axis, Index cell, double x) {
+  const double low = axis.low + static_cast<double>(cell) * axis.edge;
+  return std::max({0.0, low - x, x - low - axis.edge}) * (1 - kMargin);
+}
 
 template <class Visit>
 void Neighbours::visit_from(Index begin, Index self, Visit& visit) const {
@@ -145,8 +190,8 @@ void Neighbours::visit_from(Index begin, Index self, Visit& visit) const {
   }
 }
 
-template <class Run>
-void Neighbours::for_each_run(Index i, double radius, Run&& run) const {
+template <class Take>
+void Neighbours::for_each_run(Index i, double radius, Take&& run) const {
   if (all_pairs_) return run(Index{0}, size());
   const auto self = static_cast<std::size_t>(slot(i));
   const double x = x_[0][self], y = x_[1][self], z = x_[2][self];

@@ -10,6 +10,10 @@ namespace swarmfit {
 namespace {
 
 constexpr int kHalvings = 3;
+// Large groups are put into the order of their places now and then, so that who is near in space is near in memory. Every so many frames,
+// counted from frame 0: a run that is stopped and gone on with does it at the same frames.
+constexpr Index kSortedFrom = 2000;
+constexpr std::int64_t kFramesPerSort = 16;
 constexpr std::uint64_t kTicksPerStep = 1u << kHalvings;  // so that every part of a halved step draws numbers of its own
 
 // Everything one lane needs while it runs; allocated once.
@@ -43,6 +47,13 @@ class Run {
     for (const Schedule& s : plan_.schedules) p_[s.parameter] = s.at(time(frame, sub));
     lane_.world.advance({frame, sub, time(frame, sub), dt(), lane_.rng}, now_);
     settle(frame, sub);
+    if (sub == 0 && frame % kFramesPerSort == 0 && now_.size() >= kSortedFrom) sort();
+  }
+
+  void sort() {
+    near_.build(now_.pos, lane_.world.bounds, std::numeric_limits<double>::infinity(), Neighbours::Method::grid);
+    now_.reorder(near_.rows());
+    next_ = now_;
   }
 
   // Newcomers get their private columns, and the second buffer the same agents as the first.

@@ -121,12 +121,27 @@ void Presence::advance(const Clock& clock, const World&, State& state) {
   if (clock.sub != 0 || clock.frame <= done_) return;
   done_ = clock.frame;
   if (first_leave_ < clock.frame) see_off(clock.frame, state);
+  std::vector<const Visit*> newcomers;
   for (; entered_ < visits_->size() && (*visits_)[entered_].enter <= clock.frame; ++entered_) {
     const Visit& visit = (*visits_)[entered_];
-    if (visit.leave < clock.frame) continue;  // over before the run began
-    state.spawn(visit.kind, visit.pos, visit.vel, visit.id);
-    leave_[visit.id] = visit.leave;
-    first_leave_ = std::min(first_leave_, visit.leave);
+    if (visit.leave >= clock.frame) newcomers.push_back(&visit);  // or it was over before the run began
+  }
+  if (!newcomers.empty()) welcome(newcomers, state);
+}
+
+void Presence::welcome(std::span<const Visit* const> newcomers, State& state) {
+  const std::uint32_t next_id = state.next_id;  // they bring their own
+  Index row = state.append(static_cast<Index>(newcomers.size()));
+  state.next_id = next_id;
+  for (const Visit* visit : newcomers) {
+    state.pos.row(row) = visit->pos.transpose();
+    state.vel.row(row) = visit->vel.transpose();
+    state.kind[static_cast<std::size_t>(row)] = visit->kind;
+    state.id[static_cast<std::size_t>(row)] = visit->id;
+    state.next_id = std::max(state.next_id, visit->id + 1);
+    leave_[visit->id] = visit->leave;
+    first_leave_ = std::min(first_leave_, visit->leave);
+    ++row;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "libswarm/state.h"
@@ -93,6 +94,7 @@ class Presence : public WorldPart {
 
  private:
   void see_off(std::int64_t frame, State& state);
+  void welcome(std::span<const Visit* const> newcomers, State& state);
 
   std::shared_ptr<const std::vector<Visit>> visits_;  // by entry, then id; shared by all copies
   std::size_t entered_ = 0;                           // visits begun so far

@@ -28,8 +28,9 @@ std::vector<Array3d> velocity(const std::vector<Array3d>& places, const char* mo
   Lane lane = caged(made, dims);
   for (const Array3d& x : places) lane.state.spawn(0, x, {0, 0, 0});
   run(made, {.frame_dt = 1e-13, .frames = 2}, lane);
-  std::vector<Array3d> v;
-  for (Index i = 0; i < lane.state.size(); ++i) v.emplace_back(lane.state.vel.row(i).transpose());
+  std::vector<Array3d> v(places.size());
+  for (Index i = 0; i < lane.state.size(); ++i)  // rows of a large group move; ids count from 0
+    v[lane.state.id[static_cast<std::size_t>(i)]] = lane.state.vel.row(i).transpose();
   return v;
 }
 
