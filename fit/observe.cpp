@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "libtrack/normals.h"
+
 namespace swarmfit {
 
 Observer::Observer(const Tracks* mask, const Eigen::Array3d& sigma, Rng rng, FrameSink& out, std::uint32_t tracked)
@@ -38,11 +40,11 @@ void Observer::frame(const Snapshot& now) {
     const auto row = static_cast<Index>(i);
     pos_.row(row) = now.pos.row(rows_[i]);
     vel_.row(row) = now.vel.row(rows_[i]);
-    if (!blurred) continue;
-    const auto xy = rng_.normal2(Stream::localisation, tick, id_[i], 0);
-    const double z = sigma_[2] > 0 ? rng_.normal2(Stream::localisation, tick, id_[i], 1)[0] : 0;
-    const Eigen::Array3d error = sigma_ * Eigen::Array3d(xy[0], xy[1], z);
-    pos_.row(row) += error.transpose();
+  }
+  if (blurred) {
+    error_.resize(pos_.rows(), 3);
+    three_normals(rng_, Stream::localisation, tick, id_, error_.col(0).data(), error_.col(1).data(), error_.col(2).data());
+    for (Index axis = 0; axis < 3; ++axis) pos_.col(axis) += sigma_[axis] * error_.col(axis);
   }
   out_.frame({now.frame, id_, kind_, pos_, vel_});
 }

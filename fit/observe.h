@@ -29,7 +29,7 @@ class Observer : public FrameSink {
   std::vector<Index> rows_;                 // seen in this frame
   std::vector<std::uint32_t> id_;           // buffers of the frame passed on
   std::vector<std::uint8_t> kind_;
-  Rows pos_, vel_;
+  Rows pos_, vel_, error_;
 };
 
 }  // namespace swarmfit

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "libeval/energy.h"
-#include "libtrack/rng.h"
+#include "libtrack/normals.h"
 
 namespace swarmfit {
 namespace {
@@ -170,11 +170,8 @@ Tracks with_error(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64
     c.kind.push_back(tracks.kind(row));
     const auto k = static_cast<std::size_t>(row);
     const auto tick = static_cast<std::uint64_t>(c.frame[k]) & 0xFFFFFFFFFFFFu;
-    const auto xy = rng.normal2(Stream::localisation, tick, c.track[k], 0);
-    const auto z = rng.normal2(Stream::localisation, tick, c.track[k], 1);
-    c.pos(row, 0) += sigma[0] * xy[0];
-    c.pos(row, 1) += sigma[1] * xy[1];
-    if (tracks.dims() == 3) c.pos(row, 2) += sigma[2] * z[0];
+    const Eigen::Array3d normal = three_normals(rng, Stream::localisation, tick, c.track[k]);
+    for (Index axis = 0; axis < tracks.dims(); ++axis) c.pos(row, axis) += sigma[axis] * normal[axis];
   }
   return Tracks(std::move(c), tracks.meta());
 }

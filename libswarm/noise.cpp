@@ -5,7 +5,9 @@
 #include <numbers>
 #include <utility>
 
+#include "libswarm/parallel.h"
 #include "libtrack/hot.h"
+#include "libtrack/normals.h"
 
 namespace swarmfit {
 namespace {
@@ -220,8 +222,16 @@ Eigen::Array3d white_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id)
 }
 
 Eigen::Array3d gaussian_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id) {
-  const auto xy = rng.normal2(Stream::noise, tick, id, 0);
-  return {xy[0], xy[1], rng.normal2(Stream::noise, tick, id, 1)[0]};
+  return three_normals(rng, Stream::noise, tick, id);
+}
+
+void GaussianNoise::draw(const Rng& rng, Stream stream, std::uint64_t tick, std::span<const std::uint32_t> id) {
+  const auto n = static_cast<Index>(id.size());
+  values_.resize(n, 3);
+  for_each_part(n, [&](Index first, Index count) {
+    three_normals(rng, stream, tick, id.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)), &values_(first, 0),
+                  &values_(first, 1), &values_(first, 2));
+  });
 }
 
 Eigen::Array3d random_direction(const Rng& rng, Stream stream, std::uint64_t tick, std::uint32_t id, std::uint32_t draw, int dims) {

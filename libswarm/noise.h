@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "libtrack/rng.h"
 #include "libtrack/tracks.h"
@@ -67,7 +68,17 @@ class NoiseField {
 // Three independent numbers, uniform on [-1, 1): variance 1/3 each.
 Eigen::Array3d white_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id);
 
-// Three independent standard normals.
+// Three independent standard normals for every agent.
+class GaussianNoise {
+ public:
+  void draw(const Rng& rng, Stream stream, std::uint64_t tick, std::span<const std::uint32_t> id);
+  Eigen::Array3d operator[](Index i) const { return values_.row(i).transpose(); }
+
+ private:
+  Rows values_;
+};
+
+// The same for one, from Stream::noise.
 Eigen::Array3d gaussian_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id);
 
 // A direction, uniform on the sphere, or on the circle in two dimensions.

@@ -3,6 +3,8 @@
 
 #include <omp.h>
 
+#include <algorithm>
+
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
@@ -20,6 +22,18 @@ void for_each_agent(Index n, Body&& body) {
     for (Index i = 0; i < n; ++i) body(i, static_cast<std::size_t>(omp_get_thread_num()));
   } else {
     for (Index i = 0; i < n; ++i) body(i, std::size_t{0});
+  }
+}
+
+// body(first, count) for parts of 0 .. n-1 that together are all of it; on all threads under the same conditions.
+template <class Body>
+void for_each_part(Index n, Body&& body) {
+  constexpr Index part = 512;
+  if (n >= kParallelFrom && !omp_in_parallel()) {
+#pragma omp parallel for schedule(static)
+    for (Index first = 0; first < n; first += part) body(first, std::min(part, n - first));
+  } else if (n > 0) {
+    body(Index{0}, n);
   }
 }
 

@@ -46,6 +46,7 @@ constexpr double kRanges = 30;          // as far as forces reach
 
 // Small groups are taken pair by pair: places and what the others do to each, with room for a last block that is not full.
 struct Buffers : Workspace {
+  GaussianNoise noise;
   Rows place, force;
 };
 
@@ -127,15 +128,15 @@ class Brownian : public Model {
     Buffers& buffers = *static_cast<Buffers*>(c.work);
     const bool pairs = repulsion_ && now.size() < Neighbours::kAllPairsBelow;
     if (pairs) pair_forces(now, c, buffers);
+    buffers.noise.draw(c.rng, Stream::noise, c.tick, now.id);
     const Array3d centre = centre_.in(world.bounds);
     const double kick = std::sqrt(2 * c.p[kD] * c.dt);
     for_each_agent(now.size(), [&](Index i, std::size_t) {
-      const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
       const Array3d before = now.vel.row(i).transpose();
       Array3d force = propulsion(now, next, i, c) * before;
       if (confined_) force += c.p[kK] * world.bounds.separation(now.pos.row(i).transpose(), centre);
       if (repulsion_) force += pairs ? Array3d(buffers.force.row(i).transpose()) : interaction(now, i, c);
-      Array3d v = before + force * c.dt + kick * gaussian_noise(c.rng, c.tick, id);
+      Array3d v = before + force * c.dt + kick * buffers.noise[i];
       if (dims_ == 2) v[2] = 0;
       next.vel.row(i) = v.transpose();
       next.pos.row(i) = now.pos.row(i) + v.transpose() * c.dt;

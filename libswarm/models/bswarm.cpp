@@ -140,6 +140,7 @@ const std::vector<Parameter>& parameter_table() {
 struct Buffers : Workspace {
   Buffers(const Rng& rng, int dims, Infeasible infeasible) : field(rng), avoider(dims, infeasible) {}
   NoiseField field;
+  GaussianNoise gaussian;
   Avoider avoider;
 };
 
@@ -203,6 +204,7 @@ class Bswarm : public Model {
   }
 
   void prepare(const State& now, const World& world, const StepContext& c, Buffers& buffers) const {
+    if (noise_ == Noise::gaussian) buffers.gaussian.draw(c.rng, Stream::noise, c.tick, now.id);
     if (interaction_) {
       const double reach = c.p[kRRep] + c.p[kRAli] + c.p[kRAtt];
       c.near.build(now.pos, world.bounds, reach);
@@ -230,7 +232,7 @@ class Bswarm : public Model {
       case Noise::white:
         return flat(amplitude(c) * white_noise(c.rng, c.tick, id));
       case Noise::gaussian:
-        return flat(amplitude(c) * gaussian_noise(c.rng, c.tick, id));
+        return flat(amplitude(c) * static_cast<const Buffers*>(c.work)->gaussian[i]);
       case Noise::curl:
       case Noise::perlin:
         break;

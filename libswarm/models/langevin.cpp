@@ -24,6 +24,7 @@
 #include "libswarm/centre.h"
 #include "libswarm/noise.h"
 #include "libswarm/parallel.h"
+#include "libtrack/normals.h"
 
 namespace swarmfit {
 namespace {
@@ -35,11 +36,16 @@ enum Row : std::size_t { kTauV, kK, kTauEta, kSigma };
 
 constexpr Index kColumns = 3;  // eta
 
+struct Buffers : Workspace {
+  GaussianNoise noise;
+};
+
 class Langevin : public Model {
  public:
   explicit Langevin(const Setup& setup) : dims_(setup.dims), centre_(setup) {}
 
   Index columns() const override { return kColumns; }
+  std::unique_ptr<Workspace> workspace(const World&, const Rng&) const override { return std::make_unique<Buffers>(); }
 
   void enter(State& state, Index first, const World& world, const StepContext& c) const override {
     const double a = 1 / c.p[kTauEta], g = 1 / c.p[kTauV], k = c.p[kK];
@@ -50,7 +56,7 @@ class Langevin : public Model {
     const Array3d centre = centre_.in(world.bounds);
     for (Index i = first; i < state.size(); ++i) {
       const Array3d x = world.bounds.separation(centre, state.pos.row(i).transpose()), v = state.vel.row(i).transpose();
-      const Array3d eta = on_v * v + on_x * x + rest * normal(Stream::hidden, state, i, c);
+      const Array3d eta = on_v * v + on_x * x + rest * three_normals(c.rng, Stream::hidden, c.tick, state.id[static_cast<std::size_t>(i)]);
       state.own.row(i) = flat(eta).transpose();
     }
   }
@@ -59,9 +65,11 @@ class Langevin : public Model {
     const double keep = std::exp(-c.dt / c.p[kTauEta]), draw = c.p[kSigma] * std::sqrt(-std::expm1(-2 * c.dt / c.p[kTauEta]));
     const double slow = std::exp(-c.dt / c.p[kTauV]), push = -c.p[kTauV] * std::expm1(-c.dt / c.p[kTauV]);
     const Array3d centre = centre_.in(world.bounds);
+    GaussianNoise& noise = static_cast<Buffers*>(c.work)->noise;
+    noise.draw(c.rng, Stream::noise, c.tick, now.id);
     for_each_agent(now.size(), [&](Index i, std::size_t) {
       const Array3d before = now.own.row(i).transpose();
-      const Array3d eta = keep * before + draw * flat(normal(Stream::noise, now, i, c));
+      const Array3d eta = keep * before + draw * flat(noise[i]);
       Array3d v = now.vel.row(i).transpose();
       const Array3d midway = now.pos.row(i).transpose() + 0.5 * c.dt * v;
       v = slow * v + push * (c.p[kK] * world.bounds.separation(midway, centre) + 0.5 * (before + eta));
@@ -73,12 +81,6 @@ class Langevin : public Model {
   }
 
  private:
-  static Array3d normal(Stream stream, const State& state, Index i, const StepContext& c) {
-    const std::uint32_t id = state.id[static_cast<std::size_t>(i)];
-    const auto xy = c.rng.normal2(stream, c.tick, id, 0);
-    return {xy[0], xy[1], c.rng.normal2(stream, c.tick, id, 1)[0]};
-  }
-
   Array3d flat(const Array3d& a) const { return dims_ == 2 ? Array3d(a[0], a[1], 0) : a; }
 
   int dims_;

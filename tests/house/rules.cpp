@@ -59,6 +59,8 @@ const std::vector<Library> kLibraries{
     {"gtest/", {"tests"}, true},
     {"gmock/", {"tests"}, true},
     {"benchmark/", {"bench"}, true},
+    {"libnoise/", {"bench"}, false},
+    {"pagmo/", {"bench"}, false},
     {"malloc.h", {"libtrack"}, false},
     {"math.h", {"libtrack", "libeval", "fit"}, false},  // Boost 1.74's pchip does not compile without it
     {"unistd.h", {"libtrack", "fit", "reports", "cli"}, false},
