@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everybody's neighbours within a radius that holds about 30 of them, the search structure built anew: uniform in a box. Items are agents.
-// Names are part/whose/agents.
+// Everybody's neighbours within a radius that holds about 30 of them, the search structure built anew: uniform in a box. "sorted": agents
+// stand in memory in the order of their places, as runs keep large groups. Items are agents. Names are part/whose/agents.
 #include <benchmark/benchmark.h>
 
 #include <nanoflann.hpp>
@@ -11,19 +11,24 @@ namespace swarmfit {
 namespace {
 
 struct Crowd {
-  explicit Crowd(Index n) : pos(n, 3), radius(std::cbrt(30 / (4.19 * static_cast<double>(n)))) {
+  Crowd(Index n, bool sorted) : pos(n, 3), radius(std::cbrt(30 / (4.19 * static_cast<double>(n)))) {
     for (Index i = 0; i < n; ++i) {
       const auto id = static_cast<std::uint32_t>(i);
       const auto xy = Rng{1}.uniform2(Stream::start, 0, id, 0);
       pos.row(i) << xy[0], xy[1], Rng{1}.uniform(Stream::start, 0, id, 1);
     }
+    if (!sorted) return;
+    Neighbours near;
+    near.build(pos, Bounds{}, 1, Neighbours::Method::grid);
+    const Rows before = pos;
+    for (Index i = 0; i < n; ++i) pos.row(i) = before.row(near.row(i));
   }
   Rows pos;
   double radius;
 };
 
-void ours(benchmark::State& state, Neighbours::Method method) {
-  const Crowd crowd(state.range(0));
+void ours(benchmark::State& state, Neighbours::Method method, bool sorted) {
+  const Crowd crowd(state.range(0), sorted);
   Neighbours near;
   double sum = 0;
   for (auto _ : state) {
@@ -44,9 +49,9 @@ struct Points {
   }
 };
 
-void nanoflann_tree(benchmark::State& state) {
+void nanoflann_tree(benchmark::State& state, bool sorted) {
   using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>, Points, 3, std::size_t>;
-  const Crowd crowd(state.range(0));
+  const Crowd crowd(state.range(0), sorted);
   const Points points{crowd.pos};
   nanoflann::SearchParams unsorted;
   unsorted.sorted = false;
@@ -64,15 +69,17 @@ void nanoflann_tree(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-BENCHMARK_CAPTURE(ours, automatic, Neighbours::Method::automatic)
-    ->Name("neighbours/ours")
-    ->Arg(100)
-    ->Arg(1000)
-    ->Arg(10000)
-    ->Arg(100000)
-    ->Arg(1000000);
-BENCHMARK_CAPTURE(ours, all_pairs, Neighbours::Method::all_pairs)->Name("neighbours/all pairs")->Arg(100)->Arg(1000)->Arg(10000);
-BENCHMARK(nanoflann_tree)->Name("neighbours/nanoflann")->Arg(100)->Arg(1000)->Arg(10000)->Arg(100000)->Arg(1000000);
+const bool registered = [] {
+  for (const bool sorted : {false, true}) {
+    const std::string part = sorted ? "neighbours, sorted" : "neighbours";
+    for (const Index n : {100, 1000, 10000, 100000, 1000000}) {
+      benchmark::RegisterBenchmark((part + "/ours").c_str(), ours, Neighbours::Method::automatic, sorted)->Arg(n);
+      benchmark::RegisterBenchmark((part + "/nanoflann").c_str(), nanoflann_tree, sorted)->Arg(n);
+      if (n <= 10000) benchmark::RegisterBenchmark((part + "/all pairs").c_str(), ours, Neighbours::Method::all_pairs, sorted)->Arg(n);
+    }
+  }
+  return true;
+}();
 
 }  // namespace
 }  // namespace swarmfit
