@@ -21,7 +21,7 @@
 namespace swarmfit::testing {
 namespace {
 
-constexpr int kSeeds = 20, kPopulation = 20;
+constexpr int kSeeds = 20;
 
 // The point that a method recommends after `evaluations`.
 using Method = std::function<Point(const TestFunction&, int evaluations, std::uint64_t seed)>;
@@ -69,6 +69,8 @@ Method nlopt_method(nlopt::algorithm algorithm, bool local) {
 }
 
 #ifdef BENCH_PAGMO
+constexpr int kPopulation = 20;
+
 struct Problem {
   const TestFunction* f = nullptr;
   pagmo::vector_double fitness(const pagmo::vector_double& x) const {

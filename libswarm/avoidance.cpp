@@ -98,9 +98,7 @@ inline __attribute__((always_inline)) void load3(const double (&from)[3][4], Lan
   load(from[0], to.x), load(from[1], to.y), load(from[2], to.z);
 }
 
-inline __attribute__((always_inline)) void dot(const Lanes3& a, const Lanes3& b, Lanes& out) {
-  out = (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
+inline __attribute__((always_inline)) void dot(const Lanes3& a, const Lanes3& b, Lanes& out) { out = (a.x * b.x + a.y * b.y) + a.z * b.z; }
 
 inline __attribute__((always_inline)) void root(const Lanes& a, Lanes& out) {
   for (int l = 0; l < 4; ++l) out[l] = std::sqrt(a[l]);

@@ -72,8 +72,8 @@ SWARMFIT_HOT std::size_t collect_open(const double* x, const double* y, const do
   return collect<false>(x, y, z, runs, count, from, radius2, self, distance2, slots);
 }
 
-SWARMFIT_HOT std::size_t collect_periodic(const double* x, const double* y, const double* z, const Neighbours::Run* runs,
-                                          std::size_t count, const Origin& from, double radius2, Index self, double* __restrict distance2,
+SWARMFIT_HOT std::size_t collect_periodic(const double* x, const double* y, const double* z, const Neighbours::Run* runs, std::size_t count,
+                                          const Origin& from, double radius2, Index self, double* __restrict distance2,
                                           std::uint32_t* __restrict slots) {
   return collect<true>(x, y, z, runs, count, from, radius2, self, distance2, slots);
 }

@@ -84,7 +84,7 @@ class Neighbours {
   Index size() const { return static_cast<Index>(row_.size()); }
   Index row(Index slot) const { return row_[static_cast<std::size_t>(slot)]; }
   Index slot(Index row) const { return slot_[static_cast<std::size_t>(row)]; }
-  std::span<const Index> rows() const { return row_; }  // by slot
+  std::span<const Index> rows() const { return row_; }                          // by slot
   const double* coordinate(std::size_t axis) const { return x_[axis].data(); }  // by slot
 
   bool periodic() const { return periodic_; }

@@ -221,9 +221,7 @@ Eigen::Array3d white_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id)
   return {2 * xy[0] - 1, 2 * xy[1] - 1, 2 * z - 1};
 }
 
-Eigen::Array3d gaussian_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id) {
-  return three_normals(rng, Stream::noise, tick, id);
-}
+Eigen::Array3d gaussian_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id) { return three_normals(rng, Stream::noise, tick, id); }
 
 void GaussianNoise::draw(const Rng& rng, Stream stream, std::uint64_t tick, std::span<const std::uint32_t> id) {
   const auto n = static_cast<Index>(id.size());
