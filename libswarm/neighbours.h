@@ -35,7 +35,7 @@ class Neighbours {
     Index slot;
   };
   struct Run {
-    Index first, end;
+    Index first, end;  // slots first .. end-1
   };
   // What one thread needs for `nearest`; reused from call to call.
   struct Scratch {
@@ -53,8 +53,8 @@ class Neighbours {
   void visit(Index i, Visit&& visit) const {
     const Index self = slot(i);
     if (all_pairs_) return visit_from(0, self, visit);
-    Candidates<kBlock> block;
-    double distance2[kBlock + 1];  // one more: what is not kept is written too
+    Candidates block;
+    double distance2[kBlock + 1];
     std::uint32_t slots[kBlock + 1];
     const auto flush = [&] {
       const std::size_t count = within(self, radius_, block.runs, block.count, distance2, slots);
@@ -113,9 +113,8 @@ class Neighbours {
     double cell(double x) const { return std::floor((x - low) * per_edge); }
     Index clamped(double x) const { return static_cast<Index>(std::clamp((x - low) * per_edge, 0.0, static_cast<double>(cells - 1))); }
   };
-  // Runs of slots that are gone through together, `most` slots at a time.
+  // Runs of slots that are gone through together, kBlock slots at a time.
   static constexpr Index kBlock = 256;
-  template <Index most>
   struct Candidates {
     static constexpr std::size_t kRuns = 64;
     Run runs[kRuns];
@@ -125,8 +124,8 @@ class Neighbours {
     template <class Flush>
     void add(Index first, Index end, Flush&& flush) {
       while (first < end) {
-        if (count == kRuns || slots == most) flush();
-        const Index upto = std::min(end, first + most - slots);
+        if (count == kRuns || slots == kBlock) flush();
+        const Index upto = std::min(end, first + kBlock - slots);
         runs[count++] = {first, upto};
         slots += upto - first;
         first = upto;
@@ -147,7 +146,8 @@ class Neighbours {
   std::size_t gather(Index i, double radius, Scratch& scratch) const;
   std::size_t gather_all(double radius, Scratch& scratch) const;
   std::span<const Found> sorted(std::size_t k, std::size_t count, Scratch& scratch) const;
-  // Those of the runs' slots, in order and without oneself, that are nearer than `radius`, with |offset(self, s)|². Both have room for all.
+  // Those of the runs' slots, in order and without oneself, that are nearer than `radius`, with |offset(self, s)|². Both have room for all
+  // of them and one more: what is not kept is written too.
   std::size_t within(Index self, double radius, const Run* runs, std::size_t count, double* distance2, std::uint32_t* slots) const;
   // |offset(self, s)|² for the slots first .. end-1.
   void squared_distances(Index self, Index first, Index end, double* out) const;
