@@ -41,6 +41,13 @@ struct FitArguments {
   int replicates = 0;
   int population = 0;
   bool common_dynamics = false;
+  bool resume = false;  // take up the checkpoint in `out`
+};
+
+struct ResumeArguments {
+  std::string dir;
+  int threads = 0;
+  bool json = false, quiet = false;
 };
 
 struct RecoverArguments {

@@ -2,6 +2,8 @@
 // The commands of the program: each calls the rooms, prints, and returns the exit code. InputError means exit code 2, RunError 1.
 #pragma once
 
+#include <string>
+
 #include "cli/arguments.h"
 
 namespace swarmfit::cli {
@@ -13,6 +15,8 @@ int weigh(const WeighArguments&);
 int simulate(const SimulateArguments&);
 int fit(const FitArguments&);      // exactly one model
 int compare(const FitArguments&);  // two or more
+// "fit" or "compare": which command left this unfinished run? Throws InputError if there is nothing to go on with.
+std::string command_of_run(const std::string& dir);
 int recover(const RecoverArguments&);
 int list_models(const ModelsArguments&);
 int list_formats(const Common&);

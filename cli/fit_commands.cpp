@@ -18,6 +18,7 @@
 #include "cli/version.h"
 #include "fit/across.h"
 #include "fit/common_dynamics.h"
+#include "fit/facts.h"
 #include "libeval/lags.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
@@ -45,22 +46,40 @@ void write_timing(const std::string& dir, double seconds, const Comparison& resu
                   seconds, omp_get_max_threads(), simulations, static_cast<double>(simulations) / seconds));
 }
 
-// Compares on one recording and writes its run directory.
-Comparison run_one(const FitArguments& a, const CompareOptions& options, const Tracks& recording, const std::string& path,
+std::string checkpoint_of(const std::string& dir) { return dir + "/checkpoint"; }
+
+// A recording whose turn had not come has no checkpoint to take up.
+Journal journal_of(const FitArguments& a, const std::string& dir, const RunIdentity& run) {
+  const std::string path = checkpoint_of(dir);
+  if (!a.resume || !std::filesystem::exists(path)) return {path, run, [dir, text = run.config] { begin_run(dir, text); }};
+  return {path, run};
+}
+
+void remove_checkpoint(const std::string& dir) {
+  std::error_code not_there;
+  std::filesystem::remove(checkpoint_of(dir), not_there);
+}
+
+// Compares on one recording and writes its run directory. The checkpoint stays: the caller removes it when all is done.
+Comparison run_one(const FitArguments& a, CompareOptions options, const Tracks& recording, const std::string& path,
                    const std::string& dir) {
   const auto start = std::chrono::steady_clock::now();
+  options.lags = lags_for(make_conditions(recording, options.conditions), options);
+  FitArguments alone = a;
+  alone.recordings = {path};
+  alone.lags = lags_text(options.lags);  // as chosen
+  const Settings config = resolved(alone, options.models);
+  const auto text = config_toml(options.models.size() > 1 ? "compare" : "fit", config);
+  Journal journal = journal_of(a, dir, {kVersion, recording.meta().from.sha256, text});
   ProgressLine line(a.common.quiet);
   const OnCompareProgress on_progress = [&line](const CompareProgress& now) {
     line.show(now);
     return !interrupted();
   };
-  Comparison result =
-      swarmfit::compare(recording, a.common_dynamics ? with_common_dynamics(recording, options, on_progress) : options, on_progress);
+  if (a.common_dynamics) options = with_common_dynamics(recording, options, on_progress, &journal);
+  Comparison result = swarmfit::compare(recording, options, on_progress, &journal);
   result.version = kVersion;
-  FitArguments alone = a;
-  alone.recordings = {path};
-  alone.lags = lags_text(lags_of(result.columns));  // as chosen
-  result.config = resolved(alone, options.models);
+  result.config = config;
   write_run(dir, result);
   write_timing(dir, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), result);
   return result;
@@ -80,8 +99,7 @@ int run_several(const FitArguments& a, const CompareOptions& options, const std:
                                     [&](const std::string& other) { return name_of(other) == name_of(path); });
     names.push_back(name_of(path) + (same > 0 ? "-" + std::to_string(same + 1) : ""));
   }
-  make_directory(dir);
-  write_file_atomically(dir + "/config.toml", config_toml("compare", resolved(a, options.models)));
+  if (!a.resume) begin_run(dir, config_toml("compare", resolved(a, options.models)));
   std::vector<Comparison> results;
   std::vector<RecordingPage> pages;
   for (std::size_t k = 0; k < recordings.size(); ++k) {
@@ -92,6 +110,7 @@ int run_several(const FitArguments& a, const CompareOptions& options, const std:
   }
   const Across summary = across(results);
   write_across(dir, summary, pages, kVersion);
+  for (const auto& name : names) remove_checkpoint(dir + '/' + name);
   std::fputs(a.common.json ? to_json(summary).c_str() : across_text(summary, style()).c_str(), stdout);
   say_where(a, dir);
   return 0;
@@ -104,16 +123,24 @@ int run(const FitArguments& a, const CompareOptions& options) {
   try {
     if (a.recordings.size() > 1) return run_several(a, options, dir);
     const Comparison result = run_one(a, options, load(a.data, a.recordings.front()), a.recordings.front(), dir);
+    remove_checkpoint(dir);
     std::fputs(a.common.json ? to_json(result).c_str() : ranking_text(result, style()).c_str(), stdout);
     say_where(a, dir);
     return 0;
   } catch (const Interrupted&) {
-    std::fprintf(stderr, "swarmfit: interrupted; nothing was written for the recording under way\n");
+    std::fprintf(stderr, "swarmfit: interrupted; to go on: swarmfit resume %s\n", dir.c_str());
     return kInterrupted;
   }
 }
 
 }  // namespace
+
+std::string command_of_run(const std::string& dir) {
+  const auto command = unfinished_run(dir);
+  if (command != "fit" && command != "compare")
+    throw InputError(fmt::format("{}: a run of swarmfit {}; expected one of fit or compare", dir, command));
+  return command;
+}
 
 int compare(const FitArguments& given) {
   const FitArguments a = with_protocol(given);

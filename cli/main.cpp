@@ -94,6 +94,8 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("--bins", a.bins, "histogram bins, instead of the normalisation's default")->check(CLI::NonNegativeNumber);
 }
 
+int resume_run(const ResumeArguments&);
+
 // All commands and what the user gave them.
 struct Program {
   CLI::App app{"swarmfit - which model explains my tracks, with which parameters, and how sure can I be?"};
@@ -104,6 +106,7 @@ struct Program {
   WeighArguments weigh;
   SimulateArguments simulate;
   RecoverArguments recover;
+  ResumeArguments resume;
   ModelsArguments models;
   Common list;
   std::function<int()> chosen;
@@ -121,6 +124,7 @@ struct Program {
     add_evaluate();
     add_weigh();
     add_fits();
+    add_resume();
     add_recover();
     add_lists();
   }
@@ -208,6 +212,14 @@ struct Program {
                   "fit what all the models have in common once, with the first of them, and keep it (the paper's noise comparison)");
   }
 
+  void add_resume() {
+    auto& sub = command("resume", "go on with an interrupted fit or compare; same final bits", [this] { return resume_run(resume); });
+    sub.add_option("RUN_DIR", resume.dir, "its run directory, started from the folder in which the run was started")->required();
+    sub.add_option("--threads", resume.threads, "threads to use, 0 for all cores; never changes a result")->check(CLI::NonNegativeNumber);
+    sub.add_flag("--json", resume.json, "print JSON instead of text");
+    sub.add_flag("-q,--quiet", resume.quiet, "no progress, no remarks");
+  }
+
   void add_recover() {
     auto& a = recover;
     auto& sub = command("recover", "recordings made by each model, compared with all: which model wins on whose?",
@@ -253,6 +265,23 @@ struct Program {
     add_common(all_formats, list);
   }
 };
+
+// The run's own command, read from its config.toml.
+int resume_run(const ResumeArguments& a) {
+  const std::string config = a.dir + "/config.toml", command = command_of_run(a.dir);
+  Program program;
+  try {
+    program.app.parse(std::vector<std::string>{a.dir, "--out", config, "--config", command});  // CLI11 takes them last first
+  } catch (const CLI::ParseError& e) {
+    throw InputError(config + ": " + e.what());
+  }
+  auto& fit = command == "fit" ? program.fit : program.compare;
+  fit.resume = true;
+  fit.common.threads = a.threads;
+  fit.common.json = a.json;
+  fit.common.quiet = a.quiet;
+  return program.chosen();
+}
 
 int run(int argc, char** argv) {
   Program program;

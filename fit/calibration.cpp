@@ -28,11 +28,11 @@ bool near_any(const Point& x, const std::vector<Evaluated>& chosen, double apart
 }  // namespace
 
 ModelSearch::ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target,
-                         const CompareOptions& options, std::vector<HistoryRow>& history)
+                         const CompareOptions& options, std::vector<HistoryRow>& history, Journal* journal)
     : index_(index),
       options_(options),
       space_(model, conditions.scales, options.requests),
-      objective_(model, conditions, target),
+      objective_(model, conditions, target, journal),
       history_(history),
       rng_(Rng{options.seed}.derive(Stream::search, index)),
       search_(on_seeds(options, Stream::replicate, options.budget.search.replicates)),

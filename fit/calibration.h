@@ -20,7 +20,7 @@ class ModelSearch {
  public:
   // All references must outlive the search. `index` is the model's place in the comparison.
   ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target,
-              const CompareOptions& options, std::vector<HistoryRow>& history);
+              const CompareOptions& options, std::vector<HistoryRow>& history, Journal* journal);
 
   // One calibration pass, in rounds of fewer candidates and more replicates: rescores what is known, searches, searches again about the
   // leaders, confirms the best of those, and reports the winner on seeds that had no part in choosing it.

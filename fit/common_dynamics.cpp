@@ -35,7 +35,8 @@ std::vector<std::string> shared_parameters(const std::vector<ModelChoice>& model
   return shared;
 }
 
-CompareOptions with_common_dynamics(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress) {
+CompareOptions with_common_dynamics(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress,
+                                    Journal* journal) {
   const ModelSpec* spec = options.models.front().spec;
   for (const ModelChoice& model : options.models)
     if (model.spec != spec)
@@ -51,7 +52,7 @@ CompareOptions with_common_dynamics(const Tracks& recording, const CompareOption
           fmt::format("--common: {} has no parameter of its own to be told apart by; expected one that is searched", model.name));
   CompareOptions alone = options;
   alone.models.resize(1);
-  const Comparison fit = compare(recording, alone, on_progress);
+  const Comparison fit = compare(recording, alone, on_progress, journal);
   for (const ParameterResult& p : fit.models.front().parameters) {
     if (!holds(common.common, p.name)) continue;
     std::erase_if(common.requests.bounds, [&](const auto& b) { return b.first == p.name || b.first.ends_with("." + p.name); });

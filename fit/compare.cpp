@@ -64,10 +64,10 @@ Weighting mean_weighting(const Weighting& searched, Weighting last, int pass) {
 class Calibration {
  public:
   Calibration(const CompareOptions& options, const Conditions& conditions, const Target& target, const std::vector<bool>& used,
-              std::vector<HistoryRow>& history, const OnCompareProgress& on_progress)
+              std::vector<HistoryRow>& history, const OnCompareProgress& on_progress, Journal* journal)
       : options_(options), target_(target), used_(used), on_progress_(on_progress) {
     for (std::size_t m = 0; m < options.models.size(); ++m)
-      searches_.emplace_back(m, options.models[m], conditions, target, options, history);
+      searches_.emplace_back(m, options.models[m], conditions, target, options, history, journal);
   }
 
   // Par-Est, steps 1 to 5.
@@ -195,7 +195,7 @@ Budget budget_named(const std::string& name) {
   throw InputError(fmt::format("--budget {}: no such budget; expected one of {}", name, fmt::join(names, ", ")));
 }
 
-Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress) {
+Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress, Journal* journal) {
   check_requests(options.requests, options.models);
   Conditions conditions = make_conditions(recording, options.conditions);
   conditions.metrics.lags = lags_for(conditions, options);
@@ -206,7 +206,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.resolution = resolution(conditions, target, options, result.observation.drowned);
   const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
   result.mean_weights = options.mean_weights;
-  Calibration calibration(options, conditions, target, used, result.history, on_progress);
+  Calibration calibration(options, conditions, target, used, result.history, on_progress, journal);
   calibration.run(result);
 
   PerColumn<bool> clear = result.observation.used;

@@ -8,6 +8,7 @@
 
 #include "fit/conditions.h"
 #include "fit/genetic.h"
+#include "fit/journal.h"
 #include "fit/results.h"
 #include "fit/search_space.h"
 
@@ -47,7 +48,9 @@ using OnCompareProgress = std::function<bool(const CompareProgress&)>;
 // Interrupted: thrown when on_progress returns false.
 struct Interrupted {};
 
-Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress = {});
+// With a journal, what it holds is not simulated again, and the rest is added to it.
+Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress = {},
+                   Journal* journal = nullptr);
 
 // Every row of the model's parameter table with the fitted values: what Objective and plant() take. Rows that the settings do not use are
 // 0.

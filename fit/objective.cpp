@@ -36,8 +36,8 @@ struct Objective::Trial {
   bool failed = false;
 };
 
-Objective::Objective(const ModelChoice& model, const Conditions& conditions, const Target& target)
-    : conditions_(conditions), target_(target) {
+Objective::Objective(const ModelChoice& model, const Conditions& conditions, const Target& target, Journal* journal)
+    : conditions_(conditions), target_(target), journal_(journal), name_(model.name) {
   const Tracks& recording = conditions.recording;
   model_ = model.spec->make({recording.dims(), model.options, conditions.scales, &recording});
   plan_.frame_dt = recording.dt();
@@ -124,23 +124,20 @@ Outcome Objective::pool(const std::vector<Trial>& trials) const {
   return out;
 }
 
-void Objective::extend(std::vector<std::vector<Trial>>& trials, const std::vector<std::vector<double>>& candidates,
-                       const std::vector<bool>& wanted, std::span<const Rng> seeds, int finer) const {
+void Objective::extend(std::vector<std::vector<Trial>>& trials, const Candidates& candidates, const std::vector<bool>& wanted,
+                       std::span<const Rng> seeds, int finer) const {
   struct Job {
     std::size_t candidate, trial;
-    const Rng* seed;
   };
   std::vector<Job> jobs;
-  for (std::size_t c = 0; c < candidates.size(); ++c) {
-    if (!wanted[c]) continue;
-    for (const Rng& seed : seeds) jobs.push_back({c, trials[c].size(), &seed}), trials[c].emplace_back();
-  }
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    while (wanted[c] && trials[c].size() < seeds.size()) jobs.push_back({c, trials[c].size()}), trials[c].emplace_back();
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t k = 0; k < jobs.size(); ++k)
-    trials[jobs[k].candidate][jobs[k].trial] = run(candidates[jobs[k].candidate], *jobs[k].seed, finer);
+    trials[jobs[k].candidate][jobs[k].trial] = run(candidates[jobs[k].candidate], seeds[jobs[k].trial], finer);
 }
 
-std::vector<Outcome> Objective::evaluate(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, int finer) const {
+std::vector<Outcome> Objective::evaluate(const Candidates& candidates, std::span<const Rng> seeds, int finer) const {
   std::vector<std::vector<Trial>> trials(candidates.size());
   extend(trials, candidates, std::vector<bool>(candidates.size(), true), seeds, finer);
   std::vector<Outcome> out;
@@ -148,22 +145,42 @@ std::vector<Outcome> Objective::evaluate(const std::vector<std::vector<double>>&
   return out;
 }
 
-std::vector<Outcome> Objective::race(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, std::size_t first,
+std::vector<Outcome> Objective::outcomes(std::vector<std::vector<Trial>>& trials, const Candidates& candidates,
+                                         const std::vector<bool>& wanted, std::span<const Rng> seeds) const {
+  std::vector<Outcome> out(candidates.size());
+  std::vector<std::string> keys(candidates.size());
+  std::vector<bool> missing = wanted;
+  for (std::size_t c = 0; journal_ && c < candidates.size(); ++c) {
+    if (!wanted[c]) continue;
+    keys[c] = Journal::key(name_, candidates[c], seeds);
+    auto known = journal_->find(keys[c]);
+    if (!known) continue;
+    out[c] = std::move(*known);
+    missing[c] = false;
+  }
+  extend(trials, candidates, missing, seeds, 1);
+  std::vector<std::pair<std::string, Outcome>> fresh;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    if (!missing[c]) continue;
+    out[c] = pool(trials[c]);
+    out[c].distributions = {};  // large, and of use for winners only
+    if (journal_) fresh.emplace_back(keys[c], out[c]);
+  }
+  if (journal_) journal_->add(fresh);
+  return out;
+}
+
+std::vector<Outcome> Objective::race(const Candidates& candidates, std::span<const Rng> seeds, std::size_t first,
                                      const Worth& worth) const {
   std::vector<std::vector<Trial>> trials(candidates.size());
-  extend(trials, candidates, std::vector<bool>(candidates.size(), true), seeds.first(first), 1);
-  std::vector<Outcome> out;
-  for (const auto& runs : trials) {
-    out.push_back(pool(runs));
-    out.back().first = out.back().guided;
-  }
+  auto out = outcomes(trials, candidates, std::vector<bool>(candidates.size(), true), seeds.first(first));
+  for (Outcome& heat : out) heat.first = heat.guided;
   const std::vector<bool> on = worth(out);
-  extend(trials, candidates, on, seeds.subspan(first), 1);
+  auto whole = outcomes(trials, candidates, on, seeds);
   for (std::size_t c = 0; c < out.size(); ++c) {
     if (!on[c]) continue;
-    Energies heat = std::move(out[c].first);
-    out[c] = pool(trials[c]);
-    out[c].first = std::move(heat);
+    whole[c].first = std::move(out[c].first);
+    out[c] = std::move(whole[c]);
   }
   return out;
 }

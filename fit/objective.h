@@ -8,34 +8,24 @@
 #include <vector>
 
 #include "fit/conditions.h"
-#include "libeval/energy.h"
-#include "libswarm/simulate.h"
+#include "fit/journal.h"
+#include "fit/outcome.h"
 
 namespace swarmfit {
-
-// One candidate over its replicates.
-struct Outcome {
-  Energies raw;                           // pooled; a replicate that blew up counts with the worst energy; NaN: undefined in the recording
-  Energies guided;                        // raw, and a little more the farther off the means are: what a search minimises
-  Energies first;                         // guided energies of the first replicates alone, where a race asked for them
-  std::vector<Energies> replicates;       // of each replicate alone
-  PerColumn<Distribution> distributions;  // pooled replicates
-  int failed = 0;                         // replicates that blew up
-  Counters count;                         // summed
-};
 
 // The objective of one model on one recording. Const and shared by threads; holds references, so all arguments must outlive it.
 class Objective {
  public:
-  // The target must have been measured as conditions.metrics says.
-  Objective(const ModelChoice& model, const Conditions& conditions, const Target& target);
+  // The target must have been measured as conditions.metrics says. What race() finds in the journal it does not simulate again.
+  Objective(const ModelChoice& model, const Conditions& conditions, const Target& target, Journal* journal = nullptr);
 
   // Evaluates candidates (full parameter vectors) on the same replicate seeds: common random numbers make candidates comparable.
   // Runs candidate × replicate in parallel; results do not depend on the number of threads. `finer` divides the time step.
   std::vector<Outcome> evaluate(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, int finer = 1) const;
   Outcome evaluate(const std::vector<double>& candidate, std::span<const Rng> seeds, int finer = 1) const;
 
-  // The same in two heats. Which candidates go on, judged by their Outcome::first; the others' outcomes hold the first replicates only.
+  // The same in two heats, without distributions. Which candidates go on, judged by their Outcome::first; the others' outcomes hold the
+  // first replicates only.
   using Worth = std::function<std::vector<bool>(const std::vector<Outcome>& first)>;
   std::vector<Outcome> race(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, std::size_t first,
                             const Worth& worth) const;
@@ -50,15 +40,21 @@ class Objective {
 
  private:
   struct Trial;
+  using Candidates = std::vector<std::vector<double>>;
   Trial run(const std::vector<double>& candidate, const Rng& seed, int finer) const;
   // Runs on these seeds, appended to those of each candidate that is wanted.
-  void extend(std::vector<std::vector<Trial>>& trials, const std::vector<std::vector<double>>& candidates, const std::vector<bool>& wanted,
+  void extend(std::vector<std::vector<Trial>>& trials, const Candidates& candidates, const std::vector<bool>& wanted,
               std::span<const Rng> seeds, int finer) const;
+  // Outcomes of those that are wanted, from the journal or from as many more trials as it takes.
+  std::vector<Outcome> outcomes(std::vector<std::vector<Trial>>& trials, const Candidates& candidates, const std::vector<bool>& wanted,
+                                std::span<const Rng> seeds) const;
   Outcome pool(const std::vector<Trial>& trials) const;
   Tracks simulate(const std::vector<double>& candidate, const Rng& seed, int finer, Counters& count, bool& blew_up) const;
 
   const Conditions& conditions_;
   const Target& target_;
+  Journal* journal_;
+  std::string name_;
   std::unique_ptr<Model> model_;
   Plan plan_;
 };

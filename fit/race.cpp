@@ -60,7 +60,6 @@ std::vector<double> Race::remember(const std::vector<Point>& points, std::vector
   const std::lock_guard guard(lock_);
   for (std::size_t k = 0; k < points.size(); ++k) {
     costs.push_back(round_.complete(outcomes[k]) ? cost_of(outcomes[k].guided, weighting_) : std::numeric_limits<double>::infinity());
-    outcomes[k].distributions = {};  // large, and not needed again
     seen_.insert_or_assign(points[k], std::move(outcomes[k]));
   }
   return costs;

@@ -12,7 +12,7 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kAtBound = 0.01;  // share of the searched interval that counts as being on its bound
+constexpr double kAtBound = 0.01;  // share of the searched axis that counts as being on its bound
 
 // The request for one parameter of one model: the fullest name wins.
 template <class Value>
@@ -80,27 +80,29 @@ void SearchSpace::apply(const ModelChoice& model, const ParameterRequests& reque
   }
 }
 
+// A zero lower bound cannot be logarithmic. On a linear axis whatever is an order of magnitude below the upper bound would be crowded into
+// a tenth of it: strengths are searched by their square roots (docs/search.md).
+double SearchSpace::Axis::value(double u) const {
+  const double v = log ? lower * std::exp(u * std::log(upper / lower)) : lower + (lower == 0 ? u * u : u) * (upper - lower);
+  const double inside = std::clamp(v, lower, upper);
+  return integer ? std::round(inside) : inside;
+}
+
+double SearchSpace::Axis::coordinate(double value) const {
+  const double inside = std::clamp(value, lower, upper), share = (inside - lower) / (upper - lower);
+  const double u = log ? std::log(inside / lower) / std::log(upper / lower) : lower == 0 ? std::sqrt(share) : share;
+  return std::clamp(u, 0.0, 1.0);
+}
+
 std::vector<double> SearchSpace::parameters(const Point& x) const {
   auto values = base_;
-  for (std::size_t k = 0; k < searched_.size(); ++k) {
-    const auto& axis = axes_[searched_[k]];
-    const double u = x[static_cast<Index>(k)];
-    double value = axis.log ? axis.lower * std::exp(u * std::log(axis.upper / axis.lower)) : axis.lower + u * (axis.upper - axis.lower);
-    value = std::clamp(value, axis.lower, axis.upper);
-    values[searched_[k]] = axis.integer ? std::round(value) : value;
-  }
+  for (std::size_t k = 0; k < searched_.size(); ++k) values[searched_[k]] = axes_[searched_[k]].value(x[static_cast<Index>(k)]);
   return values;
 }
 
 Point SearchSpace::point(const std::vector<double>& parameters) const {
   Point x(dimensions());
-  for (std::size_t k = 0; k < searched_.size(); ++k) {
-    const auto& axis = axes_[searched_[k]];
-    const double value = std::clamp(parameters[searched_[k]], axis.lower, axis.upper);
-    const double u =
-        axis.log ? std::log(value / axis.lower) / std::log(axis.upper / axis.lower) : (value - axis.lower) / (axis.upper - axis.lower);
-    x[static_cast<Index>(k)] = std::clamp(u, 0.0, 1.0);
-  }
+  for (std::size_t k = 0; k < searched_.size(); ++k) x[static_cast<Index>(k)] = axes_[searched_[k]].coordinate(parameters[searched_[k]]);
   return x;
 }
 

@@ -40,6 +40,8 @@ class SearchSpace {
   struct Axis {
     double lower, upper;
     bool log, integer;
+    double value(double u) const;           // u in [0, 1]
+    double coordinate(double value) const;  // its inverse, clamped
   };
   void apply(const ModelChoice& model, const ParameterRequests& requests);
 

@@ -93,6 +93,21 @@ void write_file_atomically(const std::string& path, std::string_view bytes) {
   throw RunError(message);
 }
 
+AppendedFile::AppendedFile(const std::string& path)
+    : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0) throw RunError(because(path, "cannot be written"));
+}
+
+AppendedFile::~AppendedFile() { ::close(descriptor_); }
+
+void AppendedFile::append(std::string_view bytes) {
+  if (!write_all(descriptor_, bytes)) throw RunError(because(path_, "cannot be written"));
+}
+
+void AppendedFile::truncate(std::size_t size) {
+  if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) throw RunError(because(path_, "cannot be cut"));
+}
+
 void make_directory(const std::string& path) {
   std::error_code failed;
   std::filesystem::create_directories(path, failed);

@@ -14,6 +14,22 @@ std::string read_file(const std::string& path);
 // all of the new one, whatever happens in between. Devices and pipes are written directly. Throws RunError.
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
+// A file that grows at its end, opened or created. Every append is handed to the operating system before it returns, so it survives the
+// death of the process, but not a power cut. All members throw RunError.
+class AppendedFile {
+ public:
+  explicit AppendedFile(const std::string& path);
+  AppendedFile(const AppendedFile&) = delete;
+  AppendedFile& operator=(const AppendedFile&) = delete;
+  ~AppendedFile();
+  void append(std::string_view bytes);
+  void truncate(std::size_t size);  // keeps the first `size` bytes
+
+ private:
+  std::string path_;
+  int descriptor_;
+};
+
 // Creates a directory and those above it, if they are not there. Throws RunError.
 void make_directory(const std::string& path);
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "libtrack/error.h"
@@ -25,6 +26,15 @@ bool is_earlier_run(const fs::path& dir) {
   return fs::is_regular_file(config) && read_file(config.string()).starts_with(kMark);
 }
 
+// What a kill left of a file that was being written (libtrack/file.h).
+bool is_torn(const fs::directory_entry& file) { return file.path().extension() == ".part"; }
+
+void remove_torn(const fs::path& dir) {
+  std::error_code failed;
+  for (const auto& file : fs::directory_iterator(dir, failed))
+    if (is_torn(file)) fs::remove(file.path(), failed);
+}
+
 }  // namespace
 
 void check_run_directory(const std::string& dir) {
@@ -32,16 +42,39 @@ void check_run_directory(const std::string& dir) {
   const fs::file_status status = fs::status(dir, failed);
   if (!fs::exists(status)) return;
   if (!fs::is_directory(status)) throw InputError(dir + ": is not a folder; expected one for the results");
-  const bool empty = fs::is_empty(dir, failed);
+  const fs::directory_iterator files(dir, failed);
+  const bool empty = !failed && std::all_of(fs::begin(files), fs::end(files), is_torn);
   if (failed) throw RunError(dir + ": cannot read the folder: " + failed.message());
   if (!empty && !is_earlier_run(dir))
     throw InputError(dir + ": holds something else; expected a new or empty folder, or an earlier swarmfit run");
+}
+
+void begin_run(const std::string& dir, const std::string& config) {
+  check_run_directory(dir);
+  make_directory(dir);
+  remove_torn(dir);
+  write_file_atomically(dir + "/config.toml", config);
+  std::error_code no_such_file;
+  for (const char* result : {"results.json", "summary.json"}) fs::remove(fs::path(dir) / result, no_such_file);
+}
+
+std::string unfinished_run(const std::string& dir) {
+  const fs::path root = dir;
+  if (!fs::is_directory(root) || !is_earlier_run(root))
+    throw InputError(dir + ": holds no run; expected the folder of an interrupted fit or compare");
+  const bool done = fs::exists(root / "results.json") || fs::exists(root / "summary.json");
+  if (done && !fs::exists(root / "checkpoint")) throw InputError(dir + ": this run is complete; expected one that was interrupted");
+  const std::string config = read_file((root / "config.toml").string());
+  const auto open = config.find("\n["), close = config.find("]\n", open);
+  return open == std::string::npos || close == std::string::npos ? "" : config.substr(open + 2, close - open - 2);
 }
 
 void write_run(const std::string& dir, const Comparison& c) {
   check_run_directory(dir);
   const fs::path root = dir, tables = root / "tables";
   make_directory(tables.string());
+  remove_torn(root);
+  remove_torn(tables);
   const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
   // The mark first: whatever happens from here on, the next run may clean up after this one.
   write(root / "config.toml", config_toml(c.command, c.config));

@@ -12,6 +12,12 @@ namespace swarmfit {
 // replaced. Throws InputError otherwise. Cheap: call it before hours of computing.
 void check_run_directory(const std::string& dir);
 
+// Turns `dir` into the folder of a run that has not finished: config.toml, and no results of an earlier one. Throws as above, and RunError.
+void begin_run(const std::string& dir, const std::string& config);
+
+// The command of the run that was begun in `dir` and has not finished. Throws InputError if there is none.
+std::string unfinished_run(const std::string& dir);
+
 // Writes config.toml, results.json, tables/*.csv, history.csv and report.html, each of them whole or not at all, creating folders as
 // needed. results.json comes last: a directory that has one is complete. Throws InputError as above, RunError when writing fails.
 void write_run(const std::string& dir, const Comparison&);

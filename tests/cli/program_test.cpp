@@ -168,6 +168,41 @@ TEST_F(Program, ConfigOfARunRepeatsIt) {
   EXPECT_EQ(content(dir_ / "a/results.json"), content(dir_ / "b/results.json"));
 }
 
+// What a kill at any moment leaves is tried by tests/acceptance/kill_and_resume.
+TEST_F(Program, AnInterruptedRunGoesOn) {
+  const std::string job = "compare demo -m brownian,langevin --budget quick --frames 0:99 -q ";
+  ASSERT_EQ(run(job + "--out whole").code, 0);
+  const Result broken = run("--version >version; '" SWARMFIT_PROGRAM "' " + job +
+                            "--out broken & while [ ! -s broken/checkpoint ]; do sleep 0.01; done; kill -TERM $!; wait $!");
+  EXPECT_EQ(broken.code, 130);
+  EXPECT_THAT(broken.err, HasSubstr("to go on: swarmfit resume broken"));
+  const std::string checkpoint = content(dir_ / "broken/checkpoint"), config = content(dir_ / "broken/config.toml");
+  EXPECT_THAT(checkpoint, StartsWith("swarmfit checkpoint"));
+
+  std::string other = config;
+  other.replace(other.find("seed = 1"), 8, "seed = 2");
+  write("broken/config.toml", other);
+  expect_refused("resume broken", "config.toml has changed");
+  write("broken/config.toml", config);
+  write("broken/checkpoint", "not one of ours");
+  expect_refused("resume broken", "is no checkpoint");
+  write("broken/checkpoint", checkpoint);
+  ASSERT_EQ(run("resume broken --threads 2 -q").code, 0);
+  for (const char* file : {"results.json", "history.csv", "report.html", "config.toml"})
+    EXPECT_EQ(content(dir_ / "whole" / file), content(dir_ / "broken" / file)) << file;
+  EXPECT_FALSE(fs::exists(dir_ / "broken/checkpoint"));
+  expect_refused("resume broken", "is complete");
+  expect_refused("resume nowhere", "holds no run");
+}
+
+TEST_F(Program, ARefusedRunLeavesAnEarlierOneAlone) {
+  const std::string job = std::string("compare demo -m brownian,langevin --frames 0:60 --out a ") + kQuick;
+  ASSERT_EQ(run(job).code, 0);
+  const std::string results = content(dir_ / "a/results.json");
+  expect_refused(job + "--bounds k=3:1", "the interval is empty");
+  EXPECT_EQ(content(dir_ / "a/results.json"), results);
+}
+
 TEST_F(Program, SeveralRecordingsGetAFolderEachAndASummary) {
   fs::create_directories(dir_ / "again");
   ASSERT_EQ(run("convert demo --frames 0:60 -o film.csv -q").code, 0);

@@ -44,6 +44,24 @@ TEST(SearchSpace, LogarithmicAxisIsHalvedAtItsGeometricMean) {
   EXPECT_NEAR(middle[row(model, "gamma")], std::sqrt(gamma.fit.lower * gamma.fit.upper) / 100, 1e-12);
 }
 
+// A hundredth of the upper bound is a tenth of the way: weak forces have room.
+TEST(SearchSpace, StrengthsFromZeroAreSearchedByTheirSquareRoots) {
+  const auto model = parse_model("bswarm");
+  const SearchSpace space(model, kScales, {});
+  const auto tenth = space.parameters(Point::Constant(space.dimensions(), 0.1));
+  const auto& chi = model.spec->parameters[row(model, "chi_att")];
+  ASSERT_EQ(chi.fit.lower, 0);
+  EXPECT_NEAR(tenth[row(model, "chi_att")], chi.fit.upper * 400 / 100, 1e-9);
+}
+
+TEST(SearchSpace, AnAxisFromElsewhereIsLinear) {
+  ParameterRequests requests;
+  requests.bounds["chi_att"] = {-10, 10};
+  const auto model = parse_model("bswarm");
+  const SearchSpace space(model, kScales, requests);
+  EXPECT_NEAR(space.parameters(Point::Constant(space.dimensions(), 0.25))[row(model, "chi_att")], -5, 1e-12);
+}
+
 TEST(SearchSpace, OnlyParametersThatTheSettingsUseAreSearched) {
   const auto curl = parse_model("bswarm"), white = parse_model("bswarm[noise=white]"), alone = parse_model("bswarm[interaction=off]");
   const auto searches = [](const ModelChoice& m, const char* name) {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "libeval/energy.h"
+#include "libswarm/simulate.h"
+
+namespace swarmfit {
+
+// One candidate over its replicates.
+struct Outcome {
+  Energies raw;                           // pooled; a replicate that blew up counts with the worst energy; NaN: undefined in the recording
+  Energies guided;                        // raw, and a little more the farther off the means are: what a search minimises
+  Energies first;                         // guided energies of the first replicates alone, where a race asked for them
+  std::vector<Energies> replicates;       // of each replicate alone
+  PerColumn<Distribution> distributions;  // pooled replicates
+  int failed = 0;                         // replicates that blew up
+  Counters count;                         // summed
+};
+
+}  // namespace swarmfit
