@@ -110,7 +110,7 @@ int run_several(const FitArguments& a, const CompareOptions& options, const std:
   }
   const Across summary = across(results);
   write_across(dir, summary, pages, kVersion);
-  for (const auto& name : names) remove_checkpoint(dir + '/' + name);
+  for (const auto& name : names) remove_checkpoint(fmt::format("{}/{}", dir, name));
   std::fputs(a.common.json ? to_json(summary).c_str() : across_text(summary, style()).c_str(), stdout);
   say_where(a, dir);
   return 0;
@@ -136,7 +136,7 @@ int run(const FitArguments& a, const CompareOptions& options) {
 }  // namespace
 
 std::string command_of_run(const std::string& dir) {
-  const auto command = unfinished_run(dir);
+  std::string command = unfinished_run(dir);
   if (command != "fit" && command != "compare")
     throw InputError(fmt::format("{}: a run of swarmfit {}; expected one of fit or compare", dir, command));
   return command;
