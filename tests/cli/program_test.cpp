@@ -172,8 +172,9 @@ TEST_F(Program, ConfigOfARunRepeatsIt) {
 TEST_F(Program, AnInterruptedRunGoesOn) {
   const std::string job = "compare demo -m brownian,langevin --budget quick --frames 0:99 -q ";
   ASSERT_EQ(run(job + "--out whole").code, 0);
-  const Result broken = run("--version >version; { '" SWARMFIT_PROGRAM "' " + job +
-                            "--out broken & while [ ! -s broken/checkpoint ]; do sleep 0.01; done; kill -TERM $!; wait $!; }");
+  const Result broken =
+      run("--version >version; { '" SWARMFIT_PROGRAM "' " + job +
+          "--out broken & while [ ! -s broken/checkpoint ] && kill -0 $!; do sleep 0.01; done; kill -TERM $!; wait $!; }");
   EXPECT_EQ(broken.code, 130);
   EXPECT_THAT(broken.err, HasSubstr("to go on: swarmfit resume broken"));
   const std::string checkpoint = content(dir_ / "broken/checkpoint"), config = content(dir_ / "broken/config.toml");
