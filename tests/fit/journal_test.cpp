@@ -163,11 +163,10 @@ TEST_F(JournalTest, AComparisonGoesOnToTheSameResult) {
   const std::size_t distinct = Journal(path(), kRun).size();
   for (const std::size_t share : {100, 73, 40, 11, 3}) {
     write(whole.substr(0, whole.size() * share / 100));
-    const bool in_head = whole.size() * share / 100 < 120;
-    ASSERT_FALSE(in_head);
     Journal journal(path(), kRun);
     EXPECT_EQ(scores(compare(recording, options, {}, &journal)), scores(plain)) << share;
     EXPECT_EQ(Journal(path(), kRun).size(), distinct) << share;  // in whatever order refinements ran
+    if (share == 100) EXPECT_EQ(read_file(path()), whole) << "what was known has been simulated again";
   }
 }
 
