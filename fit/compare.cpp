@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fit/calibration.h"
+#include "fit/certainty.h"
 #include "fit/facts.h"
 #include "fit/judge.h"
 #include "fit/sensitivity.h"
@@ -177,8 +179,17 @@ FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const 
   return fit;
 }
 
-void rank(std::vector<FitResult>& models) {
-  std::stable_sort(models.begin(), models.end(), [](const FitResult& a, const FitResult& b) { return a.score > b.score; });
+// Models and their laws, best first.
+void rank(std::vector<FitResult>& models, std::vector<Law>& laws) {
+  std::vector<std::size_t> order(models.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto score = [&](std::size_t k) { return std::isnan(models[k].score) ? -INFINITY : models[k].score; };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return score(a) > score(b); });
+  std::vector<FitResult> ranked;
+  std::vector<Law> ranked_laws;
+  for (const std::size_t k : order) ranked.push_back(std::move(models[k])), ranked_laws.push_back(std::move(laws[k]));
+  models = std::move(ranked);
+  laws = std::move(ranked_laws);
   for (std::size_t k = 0; k < models.size(); ++k) models[k].rank = std::isfinite(models[k].score) ? static_cast<int>(k) + 1 : 0;
 }
 
@@ -212,15 +223,20 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   PerColumn<bool> clear = result.observation.used;
   for (std::size_t j = 0; j < clear.size(); ++j) clear[j] = clear[j] && !result.observation.drowned[j];
   const Judge judge(conditions, clear, options.seed);
+  std::vector<Law> laws;
   for (std::size_t m = 0; m < options.models.size(); ++m) {
     const auto& search = calibration.searches()[m];
+    const auto values = search.space().parameters(search.selected().x);
     result.models.push_back(fit_result(search, options.models[m], conditions, target, calibration.weighting()));
-    judge.judge(result.models.back(), search.objective(), search.space().parameters(search.selected().x), search.final_seeds());
+    judge.judge(result.models.back(), search.objective(), values, search.final_seeds());
+    laws.push_back(law_of(search.objective(), values, {options.seed}, options.laws));
     result.named.push_back(options.models[m].name);
     result.searched.emplace_back();
     for (const auto p : search.space().searched()) result.searched.back().emplace_back(options.models[m].spec->parameters[p].name);
   }
-  rank(result.models);
+  rank(result.models, laws);
+  result.laws = options.laws;
+  fill_certainty(result.models, laws, target, calibration.weighting(), options.budget.final_replicates);
   judge.tell(result);
   result.weights = per_column(calibration.weighting().weights);
   result.p1 = per_column(calibration.weighting().p1);

@@ -32,6 +32,7 @@ struct CompareOptions {
   bool resolution = true;            // p2 is at least what the recording can tell (libeval/score.h); false: the range, as published
   bool mean_weights = true;          // later passes search under the mean of all passes' weights; false: under the last, as published
   std::vector<std::string> common;   // parameters that were fitted once for all models (fit/common_dynamics.h); only reported
+  int laws = 99;                     // recordings that each fitted model makes, to tell how sure its place is; 0: none
   double weight_tolerance = 0.005;   // the calibration has settled when no weight changes by more
 };
 

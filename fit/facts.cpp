@@ -228,14 +228,6 @@ std::vector<std::string> warnings_for(const Comparison& r) {
   if (r.models.size() > 1 && !r.weights_converged)
     warn(out, "The weights had not settled after {} passes (last change {:.3f}); a larger --budget may move the scores.",
          r.weight_history.size(), r.weight_history.back().largest_change);
-  if (r.models.size() > 1) {
-    const auto& first = r.models[0];
-    const auto& second = r.models[1];
-    const double se = std::hypot(first.score_se, second.score_se);
-    if (first.score - second.score < kStandardErrors * se)
-      warn(out, "{} and {} cannot be told apart: their scores differ by {:.3f}, less than two standard errors ({:.3f}) of the simulations.",
-           first.model, second.model, first.score - second.score, kStandardErrors * se);
-  }
   for (const auto& model : r.models) {
     warn_of_fit(model, r, out);
     warn_of_parts(model, r, out);

@@ -137,6 +137,14 @@ void Objective::extend(std::vector<std::vector<Trial>>& trials, const Candidates
     trials[jobs[k].candidate][jobs[k].trial] = run(candidates[jobs[k].candidate], seeds[jobs[k].trial], finer);
 }
 
+std::vector<SingleRun> Objective::singles(const std::vector<double>& candidate, std::span<const Rng> seeds) const {
+  std::vector<std::vector<Trial>> trials(1);
+  extend(trials, {candidate}, {true}, seeds, 1);
+  std::vector<SingleRun> out;
+  for (Trial& trial : trials.front()) out.push_back({std::move(trial.distributions), trial.failed});
+  return out;
+}
+
 std::vector<Outcome> Objective::evaluate(const Candidates& candidates, std::span<const Rng> seeds, int finer) const {
   std::vector<std::vector<Trial>> trials(candidates.size());
   extend(trials, candidates, std::vector<bool>(candidates.size(), true), seeds, finer);

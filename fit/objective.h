@@ -30,6 +30,9 @@ class Objective {
   std::vector<Outcome> race(const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds, std::size_t first,
                             const Worth& worth) const;
 
+  // Each run by itself. In parallel; results do not depend on the number of threads.
+  std::vector<SingleRun> singles(const std::vector<double>& candidate, std::span<const Rng> seeds) const;
+
   // The observed tracks of one run: what evaluate() measures.
   Tracks simulate(const std::vector<double>& candidate, const Rng& seed, int finer = 1) const;
 

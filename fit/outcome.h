@@ -19,4 +19,10 @@ struct Outcome {
   Counters count;                         // summed
 };
 
+// One run, binned on the recording's axes.
+struct SingleRun {
+  PerColumn<Distribution> distributions;  // without samples if it blew up
+  bool failed = false;
+};
+
 }  // namespace swarmfit

@@ -16,11 +16,13 @@ constexpr double kWarmUp = 2;  // in units of L / V
 
 RecoveryCase judged(std::size_t planted, const std::string& name, std::uint64_t seed, std::vector<double> parameters,
                     const Comparison& result) {
-  RecoveryCase out{planted, seed, std::move(parameters), {}, {}, {}, 0};
+  RecoveryCase out{planted, seed, std::move(parameters), {}, {}, {}, {}, {}, 0};
   for (const FitResult& fit : result.models) {
     out.order.push_back(fit.model);
     out.scores.push_back(fit.score);
     out.score_se.push_back(fit.score_se);
+    out.group.push_back(fit.certainty.group);
+    out.goodness_p.push_back(fit.certainty.goodness_p);
     if (fit.model == name) out.rank_of_planted = fit.rank;
   }
   return out;

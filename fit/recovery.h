@@ -29,6 +29,8 @@ struct RecoveryCase {
   std::vector<std::string> order;  // models by rank, those without a score last
   std::vector<double> scores;      // in that order
   std::vector<double> score_se;
+  std::vector<int> group;  // those of one group cannot be told apart (Certainty::group)
+  std::vector<double> goodness_p;
   int rank_of_planted = 0;  // 0: its score is undefined
 };
 

@@ -123,6 +123,15 @@ struct LeftOut {
   bool winner_changed = false;                          // another than the first leads, the first not being the one left out
 };
 
+// How sure the place of a model is, from recordings made by the fitted models (fit/certainty.h).
+struct Certainty {
+  double goodness_p = NAN;  // of recordings made by this model, the share that is as far from it as the recording is; small: it is not one
+  int group = 0;            // models of one group cannot be told apart, the best are group 1; 0: cannot be told
+  double set_p = NAN;       // p at which the model leaves the model confidence set of all
+  double lower = NAN, upper = NAN;  // of the score, 95 %, over recordings as long as this one
+  Energies own{};                   // mean raw energies of its own recordings: what a perfect model would have
+};
+
 // Everything about one model in a comparison (or the only one of a fit).
 struct FitResult {
   std::string model;  // canonical name with settings: "bswarm[noise=white]"
@@ -137,6 +146,7 @@ struct FitResult {
   Energies energies{};                         // (raw - p1)/p2, 0 where p2 = 0
   Energies half_step_energies{};               // raw energies of the same parameters at half the time step, same number of replicates
   Sensitivity sensitivity;
+  Certainty certainty;
   std::vector<Energies> replicate_energies;                        // raw, one per final replicate
   PerColumn<Distribution> distributions{};                         // pooled final replicates, on the recording's axes
   PerColumn<double> mean_ratio{}, sd_ratio{}, outside_fraction{};  // simulation / recording
@@ -200,6 +210,7 @@ struct Comparison {
   std::vector<std::vector<std::string>> searched;  // names of the searched parameters, per named model
   std::vector<HistoryRow> history;
   SkillFacts skill;
+  int laws = 0;                  // recordings made by each fitted model, behind FitResult::certainty; 0: none
   std::vector<LeftOut> without;  // per model by rank; empty for fewer than three
   PanelFacts panel;
   std::vector<std::string> warnings;                        // sentences a reader must see before believing the table

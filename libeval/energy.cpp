@@ -116,6 +116,15 @@ Histogram histogram(const std::vector<double>& values, const ZScore& z, const Bi
   return h;
 }
 
+// Sum of absolute differences; NaN without samples.
+double l1_distance(const std::vector<double>& p, const std::vector<double>& q) {
+  if (p.empty() || q.empty()) return kNaN;
+  if (p.size() != q.size()) throw std::invalid_argument("Target: bins differ");
+  double sum = 0;
+  for (std::size_t i = 0; i < q.size(); ++i) sum += std::abs(p[i] - q[i]);
+  return sum;
+}
+
 }  // namespace
 
 double quantile(std::vector<double> values, double p) {
@@ -222,15 +231,16 @@ PerColumn<Distribution> Target::distributions(const MetricSamples& simulated) co
 
 Energies Target::energies(const PerColumn<Distribution>& simulated) const {
   Energies energy(columns_.size(), kNaN);
-  for (std::size_t m = 0; m < columns_.size(); ++m) {
-    const auto& real = pdf_[m];
-    const auto q = density(simulated[m].histogram, binning_.lower, binning_.upper);
-    if (real.empty() || q.empty()) continue;
-    if (q.size() != real.size()) throw std::invalid_argument("Target::energies: bins differ");
-    double sum = 0;
-    for (std::size_t i = 0; i < q.size(); ++i) sum += std::abs(real[i] - q[i]);
-    energy[m] = sum;
-  }
+  for (std::size_t m = 0; m < columns_.size(); ++m)
+    energy[m] = l1_distance(pdf_[m], density(simulated[m].histogram, binning_.lower, binning_.upper));
+  return energy;
+}
+
+Energies Target::energies_between(const PerColumn<Distribution>& one, const PerColumn<Distribution>& other) const {
+  Energies energy(columns_.size(), kNaN);
+  for (std::size_t m = 0; m < columns_.size(); ++m)
+    energy[m] =
+        l1_distance(density(one[m].histogram, binning_.lower, binning_.upper), density(other[m].histogram, binning_.lower, binning_.upper));
   return energy;
 }
 

@@ -73,6 +73,8 @@ class Target {
   PerColumn<Distribution> distributions(const MetricSamples& simulated) const;
   // E = sum_i |Q_real,i - Q_sim,i| per column, in [0, 2M/(u2-u1)]. Undefined metrics and metrics without samples are NaN.
   Energies energies(const PerColumn<Distribution>& simulated) const;
+  // The same between two sets that were binned on the recording's axes; NaN where one has no samples.
+  Energies energies_between(const PerColumn<Distribution>& one, const PerColumn<Distribution>& other) const;
   // How far off the simulated means are, ln(1 + |difference| / scale of the z-score), at most kMostMisplaced. Distributions that do not
   // overlap all have the same energy, however far apart they are; this tells a search which way is nearer. 0 where energies are NaN, and
   // throughout under Normalisation::separate, where means do not count.

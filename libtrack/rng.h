@@ -28,6 +28,8 @@ enum class Stream : std::uint32_t {
   confirmation = 13,  // seeds on which the last few are compared
   goal = 14,          // places that agents head for
   hidden = 15,        // what an agent brings along and no recording shows, such as the state of its noise
+  law = 16,           // recordings made by a fitted model
+  posterior = 17,     // parameters drawn from a prior, and their recordings
   surrogate = 20      // recordings with a property destroyed
 };
 

@@ -48,7 +48,7 @@ struct Scale {
 Scale score_scale(const Comparison& c) {
   Scale scale{0, 1};
   for (const FitResult& r : c.models)
-    for (const double x : {r.score, r.score - 1.96 * r.score_se, r.score + 1.96 * r.score_se}) scale.include(x);
+    for (const double x : {r.score, r.certainty.lower, r.certainty.upper}) scale.include(x);
   return scale;
 }
 
@@ -91,7 +91,8 @@ Html warnings(const Comparison& c) {
 
 Html ranking(const Comparison& c) {
   HtmlTable table("Models by score, with their raw energies");
-  Cells head = {column("rank", true), column("model"), column("score ± se", true), column("score, 95 %"), column("skill ± se", true)};
+  Cells head = {column("rank", true),  column("model"),       column("score", true),
+                column("score, 95 %"), column("fit p", true), column("skill ± se", true)};
   metric_heads(c, head);
   head.push_back(column("tried", true));
   table.head(head);
@@ -101,20 +102,21 @@ Html ranking(const Comparison& c) {
     const FitResult& r = c.models[k];
     Html name = model_name(c, k);
     for (const std::string& remark : remarks(r)) name += element("span", "flag", escaped(remark));
-    Cells cells = {number_cell(r.rank > 0 ? std::to_string(r.rank) : kUndefined), name_cell(name),
-                   number_cell(plus_minus(r.score, r.score_se, 3))};
-    cells.push_back(
-        {.content = interval_drawing(r.score, r.score - 1.96 * r.score_se, r.score + 1.96 * r.score_se, scale.lower, scale.upper, k)});
+    Cells cells = {number_cell(r.rank > 0 ? fmt::format("{} {}", r.rank, group_letter(r)) : kUndefined), name_cell(name),
+                   number_cell(fixed(r.score, 3))};
+    cells.push_back({.content = interval_drawing(r.score, r.certainty.lower, r.certainty.upper, scale.lower, scale.upper, k)});
+    cells.push_back(number_cell(fixed(r.certainty.goodness_p, 2)));
     cells.push_back(number_cell(plus_minus(r.skill.value, r.skill.se, 2)));
     metric_columns(c, cells, [&](std::size_t m) { return fixed(r.raw_energies[m], 2); });
     cells.push_back(number_cell(counted(r.evaluations)));
     table.row(cells, r.rank == 1 ? "first" : "");
   }
-  Cells foot = {text_cell(""), name_cell(markup("weight in the score")), text_cell(""), text_cell(""), text_cell("")};
+  Cells foot = {text_cell(""), name_cell(markup("weight in the score")), text_cell(""), text_cell(""), text_cell(""), text_cell("")};
   metric_columns(c, foot, [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 3) : kUndefined; });
   foot.push_back(text_cell(""));
   Html out = table.foot(foot).html();
-  if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += element("p", "note", escaped(drowned));
+  for (const std::string& note : {what_ranks_mean(c), what_drowned_means(c)})
+    if (!note.empty()) out += element("p", "note", escaped(note));
   return out;
 }
 

@@ -44,17 +44,19 @@ std::string origin(const Comparison& c) {
 }
 
 PaperTable ranking(const Comparison& c) {
-  PaperTable t{"ranking",
-               "Models by entropy-weighted score E (higher is better; ± one standard error over the final replicates), with the extent, "
-               "nearest-neighbour distance and mean speed of the simulated group. " +
-                   origin(c),
-               {"model", "rank", "score", fmt::format("extent [{}]", c.data.unit), fmt::format("NND [{}]", c.data.unit),
-                fmt::format("speed [{}/s]", c.data.unit), "candidates"},
-               {}};
+  PaperTable t{
+      "ranking",
+      "Models by entropy-weighted score E (higher is better), with its 95 % interval over recordings as long as this one, the group "
+      "(models with the same letter cannot be told apart; model confidence set, 95 %), the goodness-of-fit p, and the extent, "
+      "nearest-neighbour distance and mean speed of the simulated group. " +
+          origin(c),
+      {"model", "rank", "score", "95 %", "group", "fit p", fmt::format("extent [{}]", c.data.unit), fmt::format("NND [{}]", c.data.unit),
+       fmt::format("speed [{}/s]", c.data.unit), "candidates"},
+      {}};
   for (const FitResult& r : c.models)
-    t.rows.push_back({r.model, rank_text(r.rank), with_error(r.score, r.score_se, 3), rounded(r.extent), rounded(r.spacing),
-                      rounded(r.speed), std::to_string(r.evaluations)});
-  t.rows.push_back({"recording", "", "", rounded(c.data.extent), rounded(c.data.spacing), rounded(c.data.speed), ""});
+    t.rows.push_back({r.model, rank_text(r.rank), fixed(r.score, 3), score_interval(r), group_letter(r), fixed(r.certainty.goodness_p, 2),
+                      rounded(r.extent), rounded(r.spacing), rounded(r.speed), std::to_string(r.evaluations)});
+  t.rows.push_back({"recording", "", "", "", "", "", rounded(c.data.extent), rounded(c.data.spacing), rounded(c.data.speed), ""});
   return t;
 }
 

@@ -15,6 +15,7 @@ namespace swarmfit {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr double kAlpha = 0.05;
 using Json = nlohmann::ordered_json;
 
 int recordings(const Recovery& r, std::size_t planted) {
@@ -26,11 +27,39 @@ int recovered(const Recovery& r, std::size_t planted) {
       std::count_if(r.cases.begin(), r.cases.end(), [&](const RecoveryCase& c) { return c.planted == planted && c.rank_of_planted == 1; }));
 }
 
+std::string count_text(int n) { return n > 0 ? std::to_string(n) : "·"; }
+
 std::vector<std::string> confusion_row(const Recovery& r, std::size_t p) {
   std::vector<std::string> row{r.planted[p]};
-  for (const int n : r.confusion[p]) row.push_back(n > 0 ? std::to_string(n) : "·");
+  for (const int n : r.confusion[p]) row.push_back(count_text(n));
   row.push_back(fmt::format("{} of {}", recovered(r, p), recordings(r, p)));
   return row;
+}
+
+// In how many recordings made by one model was another in the best group?
+int in_set(const Recovery& r, std::size_t planted, const std::string& model) {
+  int n = 0;
+  for (const RecoveryCase& c : r.cases)
+    for (std::size_t k = 0; c.planted == planted && k < c.order.size(); ++k) n += c.order[k] == model && c.group[k] == 1;
+  return n;
+}
+
+// In how many was the model that made them rejected as not explaining them?
+int rejected(const Recovery& r, std::size_t planted) {
+  int n = 0;
+  for (const RecoveryCase& c : r.cases)
+    for (std::size_t k = 0; c.planted == planted && k < c.order.size(); ++k)
+      n += c.order[k] == r.planted[planted] && c.goodness_p[k] <= kAlpha;
+  return n;
+}
+
+std::string table_text(const PaperTable& table, TextStyle style) {
+  std::vector<Align> align(table.head.size(), Align::right);
+  align.front() = Align::left;
+  TextTable t(align, style);
+  t.row(table.head, Paint::bold);
+  for (const auto& row : table.rows) t.row(row);
+  return style.unicode ? t.text() : ascii(t.text());
 }
 
 Json parameters(const std::string& name, const std::vector<double>& values) {
@@ -51,22 +80,29 @@ PaperTable confusion_table(const Recovery& r, const std::string& caption) {
   return t;
 }
 
+PaperTable confidence_table(const Recovery& r, const std::string& caption) {
+  PaperTable t{"confidence", caption, {"planted \\ in the best group"}, {}};
+  t.head.insert(t.head.end(), r.compared.begin(), r.compared.end());
+  t.head.emplace_back("rejected");
+  for (std::size_t p = 0; p < r.planted.size(); ++p) {
+    t.rows.push_back({r.planted[p]});
+    for (const auto& model : r.compared) t.rows.back().push_back(count_text(in_set(r, p, model)));
+    t.rows.back().push_back(fmt::format("{} of {}", rejected(r, p), recordings(r, p)));
+  }
+  return t;
+}
+
 std::string recovery_text(const Recovery& r, TextStyle style) {
-  std::vector<Align> align(r.compared.size() + 2, Align::right);
-  align.front() = Align::left;
-  TextTable t(align, style);
-  const PaperTable confusion = confusion_table(r, "");
-  t.row(confusion.head, Paint::bold);
-  for (const auto& row : confusion.rows) t.row(row);
-  return style.unicode ? t.text() : ascii(t.text());
+  return table_text(confusion_table(r, ""), style) + '\n' + table_text(confidence_table(r, ""), style);
 }
 
 std::string recovery_csv(const Recovery& r) {
-  std::string out = "planted,seed,rank,model,score,score_se\n";
+  std::string out = "planted,seed,rank,model,score,score_se,group,gof_p\n";
   for (const RecoveryCase& c : r.cases)
     for (std::size_t k = 0; k < c.order.size(); ++k)
-      out += fmt::format("{},{},{},{},{},{}\n", csv_field(r.planted[c.planted]), c.seed, k + 1, csv_field(c.order[k]), exact(c.scores[k]),
-                         exact(c.score_se[k]));
+      out +=
+          fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(r.planted[c.planted]), c.seed, k + 1, csv_field(c.order[k]),
+                      exact(c.scores[k]), exact(c.score_se[k]), c.group[k] > 0 ? std::to_string(c.group[k]) : "", exact(c.goodness_p[k]));
   return out;
 }
 
@@ -85,7 +121,9 @@ std::string to_json(const Recovery& r, const Settings& conditions) {
                      {"parameters", parameters(r.planted[c.planted], c.parameters)},
                      {"order", c.order},
                      {"scores", c.scores},
-                     {"score_se", c.score_se}});
+                     {"score_se", c.score_se},
+                     {"group", c.group},
+                     {"gof_p", c.goodness_p}});
   const Json all = {{"schema", "swarmfit-recovery/1"},
                     {"conditions", std::move(settings)},
                     {"compared", r.compared},
@@ -105,10 +143,16 @@ void write_recovery(const std::string& dir, const Recovery& r, const Settings& s
   std::string conditions;
   for (const auto& [name, value] : settings)
     if (name != "model" && name != "plant") conditions += fmt::format("{}{} {}", conditions.empty() ? "" : ", ", name, value);
-  const PaperTable t =
-      confusion_table(r, "Rows: the model that made the recordings; columns: how often each model was ranked first. " + conditions + ".");
-  write(tables / "confusion.md", to_markdown(t));
-  write(tables / "confusion.tex", to_latex(t));
+  const std::string rows = "Rows: the model that made the recordings; columns: how often each model was ", end = ". " + conditions + ".";
+  for (const PaperTable& t :
+       {confusion_table(r, rows + "ranked first" + end),
+        confidence_table(r, rows +
+                                "among those that cannot be told from the best (model confidence set, 95 %); rejected: how often the model "
+                                "that made a recording was found not to explain it (p ≤ 0.05)" +
+                                end)}) {
+    write(tables / (t.name + ".md"), to_markdown(t));
+    write(tables / (t.name + ".tex"), to_latex(t));
+  }
   write(tables / "cases.csv", recovery_csv(r));
   write(root / "recovery.json", to_json(r, settings));
 }

@@ -13,10 +13,11 @@
 
 namespace swarmfit {
 
-std::string recovery_text(const Recovery&, TextStyle);             // the confusion matrix
+std::string recovery_text(const Recovery&, TextStyle);             // both matrices
 std::string to_json(const Recovery&, const Settings& conditions);  // "swarmfit-recovery/1"
-std::string recovery_csv(const Recovery&);                         // one row per case and model: planted, seed, rank, model, score, se
-PaperTable confusion_table(const Recovery&, const std::string& caption);  // "confusion"
+std::string recovery_csv(const Recovery&);                         // one row per case and model: planted, seed, rank, model, score, ...
+PaperTable confusion_table(const Recovery&, const std::string& caption);   // "confusion"
+PaperTable confidence_table(const Recovery&, const std::string& caption);  // "confidence": how often in the best group
 
 // Writes config.toml, tables/ and recovery.json, which comes last. Throws as write_run.
 void write_recovery(const std::string& dir, const Recovery&, const Settings& settings);

@@ -22,12 +22,6 @@ std::string finish(std::string text, TextStyle style) { return style.unicode ? s
 
 std::string symbol_of(const Column& column, TextStyle style) { return style.unicode ? column.symbol() : column.key(); }
 
-std::string plus_minus(double value, double se, int decimals, TextStyle style) {
-  if (!std::isfinite(value)) return kUndefined;
-  const std::string sign = style.unicode ? " ± " : "+-";
-  return std::isfinite(se) ? fixed(value, decimals) + sign + fixed(se, decimals) : fixed(value, decimals);
-}
-
 std::string paragraph(const std::string& text, const std::string& indent = "") {
   return indent + wrapped(printable(text), kWidth - indent.size(), indent) + '\n';
 }
@@ -47,40 +41,48 @@ std::string data_line(const DataFacts& d) {
                      brief(d.dt), brief(d.individuals_per_frame, 3));
 }
 
-// The columns of one lag, as many as fit on a line: those of the first with d and eta, beside the scores; those of any other alone.
-TextTable ranking_table(const Comparison& c, std::size_t first, TextStyle style) {
-  const bool scores = first == 0;
-  const std::size_t count = std::min(scores ? kMetrics : kMotionMetrics, c.columns.size() - first);
-  std::vector<Align> align = {Align::right, Align::left};
-  align.insert(align.end(), count + (scores ? 2 : 0), Align::right);
-  TextTable table(align, style);
+std::string rank_and_group(const FitResult& r) { return r.rank > 0 ? fmt::format("{} {}", r.rank, group_letter(r)) : kUndefined; }
 
-  std::vector<std::string> head = {"rank", "model"}, weights = {"", "weight in score"};
-  if (scores) head.insert(head.end(), {"score ± se", "skill"}), weights.resize(4);
+Paint paint_of(const FitResult& r) { return r.rank == 1 ? Paint::good : Paint::plain; }
+
+TextTable ranking_table(const Comparison& c, TextStyle style) {
+  TextTable table({Align::right, Align::left, Align::right, Align::right, Align::right, Align::right}, style);
+  table.row({"rank", "model", "score", "95 %", "fit p", "skill"}, Paint::bold);
+  for (const FitResult& r : c.models)
+    table.row({rank_and_group(r), r.model + (at_bounds(r).empty() ? "" : " *"), fixed(r.score, 3), score_interval(r),
+               fixed(r.certainty.goodness_p, 2), fixed(r.skill.value, 2)},
+              paint_of(r));
+  return table;
+}
+
+// The columns of one lag; d and eta, which have none, beside those of the first.
+TextTable energy_table(const Comparison& c, std::size_t first, TextStyle style) {
+  const std::size_t count = std::min(first == 0 ? kMetrics : kMotionMetrics, c.columns.size() - first);
+  std::vector<Align> align(count + 1, Align::right);
+  align.front() = Align::left;
+  TextTable table(align, style);
+  const int lag = c.columns[first].lag;
+  const bool several = c.columns.size() > kMetrics;
+  std::vector<std::string> head = {several ? fmt::format("raw energy at lag {}, {} s", lag, brief(lag * c.data.dt)) : "raw energy"};
+  std::vector<std::string> weights = {"weight in score"};
   for (std::size_t m = first; m < first + count; ++m) {
     head.push_back(marked(c, m, symbol_of(c.columns[m], style)));
     weights.push_back(counts(c, m) ? fixed(c.weights[m], 2) : kUndefined);
   }
   table.row(head, Paint::bold);
-
   for (const FitResult& r : c.models) {
-    std::vector<std::string> cells = {r.rank > 0 ? std::to_string(r.rank) : kUndefined, r.model + (at_bounds(r).empty() ? "" : " *")};
-    if (scores) cells.insert(cells.end(), {plus_minus(r.score, r.score_se, 3, style), fixed(r.skill.value, 2)});
+    std::vector<std::string> cells = {r.model};
     for (std::size_t m = first; m < first + count; ++m) cells.push_back(fixed(r.raw_energies[m], 2));
-    table.row(cells, r.rank == 1 ? Paint::good : Paint::plain);
+    table.row(cells, paint_of(r));
   }
   table.row(weights, Paint::dim);
   return table;
 }
 
-std::string ranking_tables(const Comparison& c, TextStyle style) {
+std::string energy_tables(const Comparison& c, TextStyle style) {
   std::string out;
-  for (std::size_t first = 0; first < c.columns.size(); first += first == 0 ? kMetrics : kMotionMetrics) {
-    const TextTable table = ranking_table(c, first, style);
-    std::string over = fmt::format("raw energy (0 alike .. {} disjoint)", brief(worst_energy(c.binning)));
-    if (first > 0) over = fmt::format("raw energy at lag {}, {} s", c.columns[first].lag, brief(c.columns[first].lag * c.data.dt));
-    out += std::string(table.column_start(first == 0 ? 4 : 2), ' ') + paint(over, Paint::dim, style) + '\n' + table.text();
-  }
+  for (std::size_t first = 0; first < c.columns.size(); first += first == 0 ? kMetrics : kMotionMetrics)
+    out += '\n' + energy_table(c, first, style).text();
   return out;
 }
 
@@ -147,11 +149,14 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   out += paint(wrapped(printable(answer.sentence), kWidth), Paint::bold, style) + '\n';
   out += paragraph(answer.detail) + '\n';
 
-  out += ranking_tables(c, style);
+  out += ranking_table(c, style).text();
   if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
-  if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += paragraph(drowned, " ");
-
+  if (const std::string ranks = what_ranks_mean(c); !ranks.empty()) out += paragraph(ranks, " ");
   out += finite_skill(c) ? " skill: 1 as alike as the recording is to itself, 0 no better than its surrogates\n" : "";
+
+  out += energy_tables(c, style);
+  out += fmt::format(" raw energy: 0 alike .. {} disjoint\n", brief(worst_energy(c.binning)));
+  if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += paragraph(drowned, " ");
   if (const std::string lags = lag_weights(c) + lags_measured(c); !lags.empty()) out += paragraph(lags, " ");
   out += panel_text(c, style);
 

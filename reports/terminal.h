@@ -14,8 +14,8 @@
 
 namespace swarmfit {
 
-// The ranked table: the answer in a sentence, then per model its score with standard error, its skill and the raw energy of every metric;
-// the weights beneath; a few observables that were not fitted; what was left out and why; warnings.
+// The ranked table: the answer in a sentence, then per model its score with interval and group, its skill and the raw energy of every
+// metric; the weights beneath; a few observables that were not fitted; what was left out and why; warnings.
 std::string ranking_text(const Comparison&, TextStyle);
 
 std::string describe_text(const TrackMeta&, const Summary&, TextStyle);  // what is in a recording and what is wrong with it

@@ -99,13 +99,6 @@ std::vector<std::size_t> TextTable::widths() const {
   return width;
 }
 
-std::size_t TextTable::column_start(std::size_t column, std::size_t indent) const {
-  const auto width = widths();
-  std::size_t start = indent;
-  for (std::size_t k = 0; k < column; ++k) start += width[k] + kApart;
-  return start;
-}
-
 std::string TextTable::text(std::size_t indent) const {
   const auto width = widths();
   std::string out;

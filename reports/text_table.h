@@ -34,7 +34,6 @@ class TextTable {
   void row(std::vector<std::string> cells, Paint paint = Paint::plain);
   // One line per row, columns two spaces apart, lines indented by `indent` spaces.
   std::string text(std::size_t indent = 1) const;
-  std::size_t column_start(std::size_t column, std::size_t indent = 1) const;  // where a column begins
 
  private:
   struct Row {

@@ -13,22 +13,7 @@ namespace swarmfit {
 
 namespace {
 
-constexpr double kNoise = 2;  // standard errors below which two scores cannot be told apart
-
-// How far the winner leads another model.
-struct Lead {
-  double difference, se;
-  double in_se() const { return se > 0 ? difference / se : INFINITY; }
-  bool known() const { return std::isfinite(se); }
-};
-
-Lead lead(const FitResult& first, const FitResult& other) {
-  return {first.score - other.score, std::hypot(first.score_se, other.score_se)};
-}
-
-std::string standard_errors(const Lead& l) {
-  return std::isfinite(l.in_se()) ? fmt::format("{:.1f} standard errors", l.in_se()) : "no spread between replicates";
-}
+constexpr double kAlpha = 0.05;
 
 // The winner's largest raw energy among the metrics that count.
 std::string main_misfit(const Comparison& c, const FitResult& winner) {
@@ -43,29 +28,58 @@ std::string main_misfit(const Comparison& c, const FitResult& winner) {
                      fixed(winner.raw_energies[worst], 2), brief(worst_energy(c.binning)));
 }
 
+// "p = 0.31", "p ≤ 0.01" where no recording of the law lies beyond.
+std::string p_text(double p, int laws) {
+  return p * (1 + laws) < 1.5 ? fmt::format("p ≤ {}", brief(p, 2)) : fmt::format("p = {}", brief(p, 2));
+}
+
+bool explains(const FitResult& r) { return r.certainty.goodness_p > kAlpha; }
+
+// Is the recording one that the model could have made?
+std::string goodness(const Comparison& c, const FitResult& r) {
+  const double p = r.certainty.goodness_p;
+  if (!std::isfinite(p)) return {};
+  const bool could = explains(r);
+  return fmt::format("The recording lies {} {} than recordings made by it ({}).", could ? "no farther from" : "farther from", r.model,
+                     p_text(p, c.laws));
+}
+
+// What follows the sentence on rank: may be true of every model.
+std::string none_explains(const std::vector<const FitResult*>& scored) {
+  const auto fails = [](const FitResult* r) { return std::isfinite(r->certainty.goodness_p) && !explains(*r); };
+  if (!std::all_of(scored.begin(), scored.end(), fails)) return {};
+  return scored.size() == 1 ? " It does not explain the recording." : " None of these models explains the recording.";
+}
+
+std::string join(const std::vector<std::string>& sentences) {
+  std::string out;
+  for (const auto& s : sentences)
+    if (!s.empty()) out += (out.empty() ? "" : " ") + s;
+  return out;
+}
+
 Headline single(const Comparison& c, const FitResult& only) {
-  return {Verdict::single, fmt::format("{} is the only model here, so there is nothing to rank.", only.model),
-          "A score compares models with each other; alone, judge the fit by its raw energies and distributions. " + main_misfit(c, only)};
+  return {Verdict::single, fmt::format("{} is the only model here, so there is nothing to rank.{}", only.model, none_explains({&only})),
+          join({"A score compares models with each other; alone, judge the fit by its raw energies and distributions.", goodness(c, only),
+                main_misfit(c, only)})};
 }
 
-Headline tie(const Comparison& c, const std::vector<const FitResult*>& together, const Lead& l) {
-  std::vector<std::string> names;
-  for (const FitResult* r : together) names.push_back(r->model);
-  Headline h;
-  h.verdict = Verdict::tie;
-  h.sentence = fmt::format("{} cannot be told apart with this recording and budget.", enumerate(names));
-  h.detail = fmt::format("{} has the highest score, but leads {} by only {} ({}). {}", names[0], names[1], fixed(l.difference, 3),
-                         standard_errors(l), main_misfit(c, *together[0]));
-  return h;
+Headline tied(const Comparison& c, const std::vector<std::string>& together, const std::vector<const FitResult*>& scored) {
+  const FitResult &first = *scored[0], &second = *scored[1];
+  return {Verdict::tie,
+          fmt::format("{} cannot be told apart with this recording and budget.{}", enumerate(together), none_explains(scored)),
+          join({fmt::format("{} has the highest score, but leads {} by only {}, no more than chance does ({}).", first.model, second.model,
+                            fixed(first.score - second.score, 3), p_text(second.certainty.set_p, c.laws)),
+                goodness(c, first), main_misfit(c, first)})};
 }
 
-Headline ranked(const Comparison& c, const FitResult& first, const FitResult& second, const Lead& l) {
-  Headline h;
-  h.verdict = l.known() ? Verdict::clear : Verdict::open;
-  h.sentence = fmt::format("{} moves most like the recording.", first.model);
-  h.detail = fmt::format("It leads {} by {} in score ({}). {}", second.model, fixed(l.difference, 3),
-                         l.known() ? standard_errors(l) : "standard error unknown", main_misfit(c, first));
-  return h;
+Headline ranked(const Comparison& c, const std::vector<const FitResult*>& scored) {
+  const FitResult &first = *scored[0], &second = *scored[1];
+  const bool known = first.certainty.group > 0;
+  return {known ? Verdict::clear : Verdict::open, fmt::format("{} moves most like the recording.{}", first.model, none_explains(scored)),
+          join({fmt::format("It leads {} by {} in score ({}).", second.model, fixed(first.score - second.score, 3),
+                            known ? p_text(second.certainty.set_p, c.laws) : "it cannot be told how sure that is"),
+                goodness(c, first), main_misfit(c, first)})};
 }
 
 // "lag 8 (0.08 s)"
@@ -89,13 +103,10 @@ Headline headline(const Comparison& c) {
   if (scored.size() == 1)
     return {Verdict::open, fmt::format("{} is the only model that could be scored.", scored[0]->model), main_misfit(c, *scored[0])};
 
-  std::vector<const FitResult*> together = {scored[0]};
-  for (std::size_t k = 1; k < scored.size(); ++k) {
-    const Lead l = lead(*scored[0], *scored[k]);
-    if (l.difference == 0 || (l.known() && l.in_se() < kNoise)) together.push_back(scored[k]);
-  }
-  return together.size() > 1 ? tie(c, together, lead(*together[0], *together[1]))
-                             : ranked(c, *scored[0], *scored[1], lead(*scored[0], *scored[1]));
+  std::vector<std::string> together;
+  for (const FitResult* r : scored)
+    if (r->certainty.group == 1) together.push_back(r->model);
+  return together.size() > 1 ? tied(c, together, scored) : ranked(c, scored);
 }
 
 bool counts(const Comparison& c, std::size_t column) { return c.defined[column] && c.observation.used[column]; }
@@ -116,6 +127,14 @@ std::string what_drowned_means(const Comparison& c) {
     if (counts(c, m) && c.observation.drowned[m])
       return "~ mostly localisation error: models are told apart only as far as they differ by more than as much error again would make.";
   return {};
+}
+
+std::string what_ranks_mean(const Comparison& c) {
+  if (c.laws == 0) return {};
+  return fmt::format(
+      "{}95 %: of the score, over recordings as long as this one. fit p: the share of recordings made by the model, of {}, that lie as far "
+      "from it as this one.",
+      c.models.size() > 1 ? "Models with the same letter cannot be told apart (model confidence set, 95 %). " : "", c.laws);
 }
 
 std::string lags_measured(const Comparison& c) {
@@ -182,6 +201,16 @@ std::string enumerate(const std::vector<std::string>& items) {
     out += items[k];
   }
   return out;
+}
+
+std::string score_interval(const FitResult& r) {
+  const Certainty& c = r.certainty;
+  return std::isfinite(c.lower) ? fmt::format("{} .. {}", fixed(c.lower, 2), fixed(c.upper, 2)) : kUndefined;
+}
+
+std::string group_letter(const FitResult& r) {
+  const int group = r.certainty.group;
+  return group > 0 ? std::string(1, static_cast<char>('a' + std::min(group, 26) - 1)) : std::string();
 }
 
 std::string printable(std::string_view text) {

@@ -12,9 +12,9 @@ namespace swarmfit {
 enum class Verdict {
   none,    // nothing could be scored
   single,  // one model: nothing to rank
-  tie,     // at least one other model is within two standard errors of the winner
-  clear,   // the winner leads by two standard errors or more
-  open,    // ranked, but without standard errors
+  tie,     // at least one other model is in the winner's group
+  clear,   // the winner is alone in its group
+  open,    // ranked, but without groups
 };
 
 struct Headline {
@@ -23,7 +23,6 @@ struct Headline {
   std::string detail;    // what to know before quoting it
 };
 
-// The standard error of a difference of two scores is sqrt(se1² + se2²): conservative, since replicates share their seeds.
 Headline headline(const Comparison&);
 
 // Does this column enter the score?
@@ -34,6 +33,9 @@ std::string why_left_out(const Comparison&, std::size_t column);
 std::string marked(const Comparison&, std::size_t column, const std::string& symbol);
 // "~ mostly localisation error: ..."; empty if no column is.
 std::string what_drowned_means(const Comparison&);
+
+// What the letters, the interval and the p of the ranking mean; empty without laws.
+std::string what_ranks_mean(const Comparison&);
 
 // Over which times motion is measured, and how much of that is localisation error.
 std::string lags_measured(const Comparison&);
@@ -49,6 +51,11 @@ std::string density_unit(std::size_t metric, const std::string& length_unit);
 
 // Unit of an observable of the panel: "mm²", "s", "1/s²"; empty for a pure number.
 std::string panel_unit(const PanelItem&, const std::string& length_unit);
+
+// "0.87 .. 0.95", the 95 % interval of the score over recordings; an en dash if unknown.
+std::string score_interval(const FitResult&);
+// "a" for the best group, whose models cannot be told apart, "b" for the next; empty if unknown.
+std::string group_letter(const FitResult&);
 
 // Names of the parameters that ended on a bound of their search.
 std::vector<std::string> at_bounds(const FitResult&);

@@ -29,6 +29,7 @@ CompareOptions tiny(std::vector<int> lags) {
   for (const char* name : {"bswarm", "boids", "langevin"}) o.models.push_back(parse_model(name));
   o.binning = Binning::standard(Normalisation::reference);
   o.budget = {"tiny", {8, 3, 2}, {4, 2, 2}, 3, 3, 2};
+  o.laws = 9;
   o.lags = std::move(lags);
   return o;
 }

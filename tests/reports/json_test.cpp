@@ -30,9 +30,28 @@ TEST(ResultsJson, HasEveryDocumentedKey) {
   for (const char* key : {"path", "sha256", "dims", "dt", "tracks", "frames", "individuals_per_frame"})
     EXPECT_TRUE(j["data"].contains(key)) << key;
   for (const json& model : j["models"]) {
-    for (const char* key :
-         {"name", "rank", "score", "score_se", "score_ci", "raw_energies", "energies", "parameters", "evaluations", "stop_reason",
-          "failed_simulations", "mean_ratio", "sd_ratio", "outside_fraction", "n_sub", "infeasible_avoidance", "at_bounds", "n_parameters"})
+    for (const char* key : {"name",
+                            "rank",
+                            "score",
+                            "score_se",
+                            "score_ci",
+                            "group",
+                            "set_p",
+                            "gof_p",
+                            "own_energies",
+                            "raw_energies",
+                            "energies",
+                            "parameters",
+                            "evaluations",
+                            "stop_reason",
+                            "failed_simulations",
+                            "mean_ratio",
+                            "sd_ratio",
+                            "outside_fraction",
+                            "n_sub",
+                            "infeasible_avoidance",
+                            "at_bounds",
+                            "n_parameters"})
       EXPECT_TRUE(model.contains(key)) << key;
   }
   for (const char* key : {"weights", "p1", "p2"}) EXPECT_EQ(keys(j[key]).size(), kMetrics);
@@ -42,7 +61,7 @@ TEST(ResultsJson, HasEveryDocumentedKey) {
 TEST(ResultsJson, LeavesOutWhatDoesNotExist) {
   const json j = json::parse(to_json(sample_comparison()));
   for (const char* key : {"ess"}) EXPECT_FALSE(j.contains(key)) << key;
-  for (const char* key : {"group", "gof_p", "holdout"}) EXPECT_FALSE(j["models"][0].contains(key)) << key;
+  for (const char* key : {"holdout"}) EXPECT_FALSE(j["models"][0].contains(key)) << key;
 }
 
 TEST(ResultsJson, KeysStandInTheDocumentedOrder) {
@@ -68,20 +87,26 @@ TEST(ResultsJson, ParametersCarryUnitAndBounds) {
   EXPECT_EQ(model["at_bounds"], json::array({"chi_att"}));
 }
 
-TEST(ResultsJson, ConfidenceIntervalIsScorePlusMinus196StandardErrors) {
-  const json model = json::parse(to_json(sample_comparison()))["models"][0];
-  EXPECT_DOUBLE_EQ(model["score_ci"][0], 0.912 - 1.96 * 0.011);
-  EXPECT_DOUBLE_EQ(model["score_ci"][1], 0.912 + 1.96 * 0.011);
+TEST(ResultsJson, HowSureEveryPlaceIs) {
+  const json j = json::parse(to_json(sample_comparison()));
+  EXPECT_EQ(j["laws"], 99);
+  EXPECT_EQ(j["models"][0]["score_ci"], json::array({0.912 - 0.03, 0.912 + 0.02}));
+  EXPECT_EQ(j["models"][0]["group"], 1);
+  EXPECT_EQ(j["models"][1]["group"], 2);
+  EXPECT_EQ(j["models"][1]["set_p"], 0.5);
+  EXPECT_EQ(j["models"][1]["gof_p"], 0.25);
+  EXPECT_EQ(j["models"][1]["own_energies"]["a"], 0.1 + 0.05);
 }
 
 TEST(ResultsJson, UndefinedNumbersAreNull) {
   Comparison c = sample_comparison();
-  c.models[0].score_se = NAN;
+  c.models[0].certainty = {};
   c.models[1].raw_energies[kJerk] = NAN;
   c.models[2].mean_ratio[kSpeed] = INFINITY;
   c.models[4].rank = 0;
   const std::string text = to_json(c);
   const json j = json::parse(text);
+  for (const char* key : {"group", "set_p", "gof_p"}) EXPECT_TRUE(j["models"][0][key].is_null()) << key;
   EXPECT_TRUE(j["models"][0]["score_ci"][0].is_null());
   EXPECT_TRUE(j["models"][1]["raw_energies"]["mu"].is_null());
   EXPECT_TRUE(j["models"][2]["mean_ratio"]["v"].is_null());

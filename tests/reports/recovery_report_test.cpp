@@ -19,7 +19,8 @@ Recovery sample() {
   r.planted = r.compared = {"bswarm", "boids"};
   for (const auto& name : r.planted) r.parameters.emplace_back(parse_model(name).spec->parameters.size(), 1.0);
   const auto& p = r.parameters;
-  r.cases = {{0, 1, p[0], {"bswarm", "boids"}, {0.9, 0.1}, {0.01, NAN}, 1}, {1, 1, p[1], {"bswarm", "boids"}, {0.6, 0.4}, {0.01, 0.02}, 2}};
+  r.cases = {{0, 1, p[0], {"bswarm", "boids"}, {0.9, 0.1}, {0.01, NAN}, {1, 2}, {0.3, 0.01}, 1},
+             {1, 1, p[1], {"bswarm", "boids"}, {0.6, 0.4}, {0.01, 0.02}, {1, 1}, {0.5, 0.04}, 2}};
   r.confusion = {{1, 0}, {1, 0}};
   return r;
 }
@@ -28,13 +29,17 @@ TEST(RecoveryReport, TextByHand) {
   EXPECT_EQ(recovery_text(sample(), {}),
             " planted \\ ranked first  bswarm  boids  recovered\n"
             " bswarm                       1      ·     1 of 1\n"
-            " boids                        1      ·     0 of 1\n");
+            " boids                        1      ·     0 of 1\n"
+            "\n"
+            " planted \\ in the best group  bswarm  boids  rejected\n"
+            " bswarm                            1      ·    0 of 1\n"
+            " boids                             1      1    1 of 1\n");
 }
 
 TEST(RecoveryReport, CsvHasOneRowPerCaseAndModel) {
   EXPECT_EQ(recovery_csv(sample()),
-            "planted,seed,rank,model,score,score_se\nbswarm,1,1,bswarm,0.9,0.01\nbswarm,1,2,boids,0.1,\n"
-            "boids,1,1,bswarm,0.6,0.01\nboids,1,2,boids,0.4,0.02\n");
+            "planted,seed,rank,model,score,score_se,group,gof_p\nbswarm,1,1,bswarm,0.9,0.01,1,0.3\nbswarm,1,2,boids,0.1,,2,0.01\n"
+            "boids,1,1,bswarm,0.6,0.01,1,0.5\nboids,1,2,boids,0.4,0.02,1,0.04\n");
 }
 
 TEST(RecoveryReport, JsonHoldsConditionsParametersAndCases) {

@@ -77,6 +77,8 @@ FitResult fit_result(const Comparison& c, const Sketch& sketch, int rank) {
   r.stop_reason = "stalled";
   r.substeps = 2;
   r.infeasible_avoidance = 0.0021;
+  r.certainty = {0.5 / rank, 0, 1.0 / rank, sketch.score - 0.03, sketch.score + 0.02, {}};
+  for (std::size_t m = 0; m < kMetrics; ++m) r.certainty.own[m] = 0.1 + 0.05 * static_cast<double>(m);
   r.skill = {sketch.score - 0.1, 0.02};
   for (std::size_t m = 0; m < kMetrics; ++m) {
     r.total_variation[m] = r.raw_energies[m] / 20;
@@ -145,6 +147,18 @@ void add_skill(Comparison& c) {
   }
 }
 
+// Groups by the error of the scores: who is within two of a group's best belongs to it.
+void add_groups(Comparison& c) {
+  c.laws = 99;
+  int group = 0;
+  const FitResult* best = nullptr;
+  for (FitResult& r : c.models) {
+    const double se = best ? std::hypot(best->score_se, r.score_se) : 0;
+    if (!best || best->score - r.score > 2 * se) best = &r, ++group;
+    r.certainty.group = std::isfinite(r.score) && std::isfinite(se) && std::isfinite(r.score_se) ? group : 0;
+  }
+}
+
 // Without each model the others keep their order, but without the second the last two change places.
 void add_without(Comparison& c) {
   for (std::size_t left = 0; left < c.models.size() && c.models.size() > 2; ++left) {
@@ -165,8 +179,8 @@ void extend(PerColumn<T>& values, std::size_t lags, Change change) {
 
 void extend(FitResult& r, std::size_t lags) {
   const auto larger = [](double x, std::size_t j) { return x * (1 + 0.01 * static_cast<double>(j)); };
-  for (auto* values : {&r.raw_energies, &r.raw_se, &r.energies, &r.half_step_energies, &r.mean_ratio, &r.sd_ratio, &r.outside_fraction,
-                       &r.total_variation, &r.wasserstein, &r.sensitivity.without, &r.sensitivity.doubled})
+  for (auto* values : {&r.raw_energies, &r.raw_se, &r.certainty.own, &r.energies, &r.half_step_energies, &r.mean_ratio, &r.sd_ratio,
+                       &r.outside_fraction, &r.total_variation, &r.wasserstein, &r.sensitivity.without, &r.sensitivity.doubled})
     extend(*values, lags, larger);
   extend(r.sensitivity.rank_without, lags, [](int rank, std::size_t) { return rank; });
   extend(r.distributions, lags, [](const Distribution& d, std::size_t) { return d; });
@@ -193,6 +207,7 @@ Comparison sample_comparison(const std::vector<Sketch>& models) {
     c.searched.push_back({"gamma", "chi_att", "r_rep"});
     c.history.push_back({static_cast<std::size_t>(rank - 1), 1, "search", {0.01, 2100, 12.5}, c.models.back().raw_energies, 3, 1});
   }
+  add_groups(c);
   add_without(c);
   c.lags = {{1, 3, 0.59, 0.78}, {0, 2, 0.41, 0.11}};
   return c;

@@ -13,25 +13,52 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+// Models in these groups, each explained by the recording at p = 0.5/rank; the second leaves the confidence set at p = 1/2.
+Comparison in_groups(const std::vector<int>& groups) {
+  std::vector<Sketch> sketches;
+  for (std::size_t k = 0; k < groups.size(); ++k)
+    sketches.push_back({std::string(1, static_cast<char>('a' + k)), 0.9 - 0.1 * static_cast<double>(k), 0.01, 1.1});
+  Comparison c = sample_comparison(sketches);
+  for (std::size_t k = 0; k < groups.size(); ++k) c.models[k].certainty.group = groups[k];
+  return c;
+}
+
 TEST(Headline, ClearWinner) {
-  const Headline h = headline(sample_comparison({{"bswarm", 0.9, 0.03, 1.1}, {"boids", 0.4, 0.04, 1.4}, {"rvo", 0.1, 0.1, 2}}));
+  const Headline h = headline(in_groups({1, 2, 2}));
   EXPECT_EQ(h.verdict, Verdict::clear);
-  EXPECT_EQ(h.sentence, "bswarm moves most like the recording.");
-  EXPECT_THAT(h.detail, HasSubstr("leads boids by 0.500 in score (10.0 standard errors)"));
+  EXPECT_EQ(h.sentence, "a moves most like the recording.");
+  EXPECT_THAT(h.detail, HasSubstr("leads b by 0.100 in score (p = 0.5)"));
+  EXPECT_THAT(h.detail, HasSubstr("The recording lies no farther from a than recordings made by it (p = 0.5)."));
   EXPECT_THAT(h.detail, HasSubstr("Its largest misfit is in the "));
 }
 
-TEST(Headline, WithinTwoStandardErrorsIsATie) {
-  const Headline h = headline(sample_comparison({{"bswarm", 0.50, 0.03, 1.1}, {"boids", 0.41, 0.04, 1.2}, {"rvo", 0.1, 0.01, 2}}));
+TEST(Headline, ModelsOfTheBestGroupAreATie) {
+  const Headline h = headline(in_groups({1, 1, 2}));
   EXPECT_EQ(h.verdict, Verdict::tie);
-  EXPECT_THAT(h.sentence, HasSubstr("bswarm and boids cannot be told apart"));
-  EXPECT_THAT(h.sentence, Not(HasSubstr("rvo")));
-  EXPECT_THAT(h.detail, HasSubstr("leads boids by only 0.090 (1.8 standard errors)"));
+  EXPECT_EQ(h.sentence, "a and b cannot be told apart with this recording and budget.");
+  EXPECT_THAT(h.detail, HasSubstr("a has the highest score, but leads b by only 0.100, no more than chance does (p = 0.5)."));
 }
 
-TEST(Headline, TwoStandardErrorsAreEnough) {  // 0.1 / hypot(0.03, 0.04) = 2 exactly in the reals; a little more on either side here
-  EXPECT_EQ(headline(sample_comparison({{"a", 0.5001, 0.03, 1}, {"b", 0.4, 0.04, 1}})).verdict, Verdict::clear);
-  EXPECT_EQ(headline(sample_comparison({{"a", 0.4999, 0.03, 1}, {"b", 0.4, 0.04, 1}})).verdict, Verdict::tie);
+TEST(Headline, SaysThatNoModelExplainsTheRecording) {
+  Comparison c = in_groups({1, 2});
+  c.models[0].certainty.goodness_p = 0.01;
+  EXPECT_EQ(headline(c).sentence, "a moves most like the recording.");  // b could have made it
+  EXPECT_THAT(headline(c).detail, HasSubstr("The recording lies farther from a than recordings made by it (p ≤ 0.01)."));
+  c.models[1].certainty.goodness_p = 0.05;
+  EXPECT_EQ(headline(c).sentence, "a moves most like the recording. None of these models explains the recording.");
+  c.models[1].certainty.goodness_p = NAN;
+  EXPECT_EQ(headline(c).sentence, "a moves most like the recording.");
+  c.models.pop_back();
+  EXPECT_THAT(headline(c).sentence, HasSubstr("It does not explain the recording."));
+}
+
+TEST(Headline, LettersAndIntervals) {
+  const Comparison c = in_groups({1, 2, 0});
+  EXPECT_EQ(group_letter(c.models[0]) + group_letter(c.models[1]) + group_letter(c.models[2]), "ab");
+  EXPECT_EQ(score_interval(c.models[0]), "0.87 .. 0.92");
+  Comparison unknown = c;
+  unknown.models[0].certainty.lower = NAN;
+  EXPECT_EQ(score_interval(unknown.models[0]), "–");
 }
 
 TEST(Headline, SingleModelHasNothingToRank) {
@@ -40,10 +67,10 @@ TEST(Headline, SingleModelHasNothingToRank) {
   EXPECT_THAT(h.sentence, HasSubstr("only model"));
 }
 
-TEST(Headline, UnknownErrorIsSaid) {
-  const Headline h = headline(sample_comparison({{"bswarm", 0.9, NAN, 1.1}, {"boids", 0.4, 0.04, 1.4}, {"rvo", 0.1, 0.1, 2}}));
+TEST(Headline, WithoutGroupsThatIsSaid) {
+  const Headline h = headline(in_groups({0, 0, 0}));
   EXPECT_EQ(h.verdict, Verdict::open);
-  EXPECT_THAT(h.detail, HasSubstr("standard error unknown"));
+  EXPECT_THAT(h.detail, HasSubstr("it cannot be told how sure that is"));
 }
 
 TEST(Headline, ModelsWithoutScoreDoNotCount) {

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "fit/certainty.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/race.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr double kAlpha = 0.05;
+
+// Energies between a recording and a model that is represented by these runs; as in Objective, those that blew up count as the worst.
+Energies energies_of(const SingleRun& recording, const std::vector<const SingleRun*>& model, const Target& target) {
+  const std::size_t columns = target.columns().size();
+  PerColumn<Distribution> pooled(columns);
+  double failed = 0;
+  for (const SingleRun* run : model) {
+    failed += run->failed;
+    for (std::size_t j = 0; !run->failed && j < columns; ++j) pooled[j].histogram.add(run->distributions[j].histogram);
+  }
+  failed /= static_cast<double>(model.size());
+  Energies out = failed < 1 ? target.energies_between(recording.distributions, pooled) : Energies(columns, NAN);
+  for (std::size_t j = 0; j < columns; ++j) {
+    const double energy = std::isfinite(out[j]) ? out[j] : target.worst();
+    out[j] = target.defined(j) ? (1 - failed) * energy + failed * target.worst() : NAN;
+  }
+  return out;
+}
+
+// The runs that stand for a model when run `k` of a law is the recording: the next ones.
+std::vector<const SingleRun*> others(const Law& law, std::size_t k, int pooled) {
+  std::vector<const SingleRun*> out;
+  for (int i = 1; i <= pooled; ++i) out.push_back(&law[(k + static_cast<std::size_t>(i)) % law.size()]);
+  return out;
+}
+
+bool long_enough(const std::vector<Law>& laws, int pooled) {
+  return !laws.empty() && std::all_of(laws.begin(), laws.end(), [&](const Law& law) {
+    return law.size() == laws.front().size() && static_cast<int>(law.size()) >= pooled + 2;
+  });
+}
+
+// Raw energies of a model's own recordings, without those that blew up.
+std::vector<Energies> own_energies(const Law& law, const Target& target, int pooled) {
+  std::vector<Energies> out;
+  for (std::size_t k = 0; k < law.size(); ++k)
+    if (!law[k].failed) out.push_back(energies_of(law[k], others(law, k, pooled), target));
+  return out;
+}
+
+Energies mean(const std::vector<Energies>& all, std::size_t columns) {
+  Energies out(columns, NAN);
+  for (std::size_t j = 0; !all.empty() && j < columns; ++j) {
+    Moments moments;
+    for (const Energies& e : all) moments.add(e[j]);
+    if (moments.count > 0) out[j] = moments.mean;
+  }
+  return out;
+}
+
+double goodness(const FitResult& fit, const std::vector<Energies>& own, const Weighting& weighting) {
+  const double observed = cost_of(fit.raw_energies, weighting);
+  if (own.empty() || !std::isfinite(observed)) return NAN;
+  const auto beyond = std::count_if(own.begin(), own.end(), [&](const Energies& e) { return cost_of(e, weighting) >= observed; });
+  return static_cast<double>(1 + beyond) / static_cast<double>(1 + own.size());
+}
+
+// Basic bootstrap: the scatter of the draws, turned round the score.
+void interval(Certainty& c, double score, const Eigen::VectorXd& draws) {
+  std::vector<double> finite;
+  for (const double d : draws)
+    if (std::isfinite(d)) finite.push_back(d);
+  if (finite.size() < 2) return;
+  Moments moments;
+  for (const double d : finite) moments.add(d);
+  c.lower = score - (quantile(finite, 1 - kAlpha / 2) - moments.mean);
+  c.upper = score - (quantile(finite, kAlpha / 2) - moments.mean);
+}
+
+}  // namespace
+
+Law law_of(const Objective& objective, const std::vector<double>& parameters, const Rng& root, int recordings) {
+  return objective.singles(parameters, replicate_seeds(root, Stream::law, recordings));
+}
+
+ScoreDraws score_draws(const std::vector<FitResult>& models, const std::vector<Law>& laws, const Target& target, const Weighting& weighting,
+                       int pooled) {
+  const auto rows = static_cast<Eigen::Index>(laws.front().size()), columns = static_cast<Eigen::Index>(models.size());
+  ScoreDraws out{Eigen::VectorXd(columns), Eigen::MatrixXd::Constant(rows, columns, NAN)};
+  for (Eigen::Index m = 0; m < columns; ++m) {
+    const Law& law = laws[static_cast<std::size_t>(m)];
+    out.scores(m) = models[static_cast<std::size_t>(m)].score;
+    for (Eigen::Index b = 0; b < rows; ++b) {
+      const auto k = static_cast<std::size_t>(b);
+      const SingleRun& recording = laws.front()[k];
+      if (!recording.failed) out.draws(b, m) = -cost_of(energies_of(recording, others(law, k, pooled), target), weighting);
+    }
+  }
+  return out;
+}
+
+void fill_certainty(std::vector<FitResult>& models, const std::vector<Law>& laws, const Target& target, const Weighting& weighting,
+                    int pooled) {
+  for (FitResult& fit : models) fit.certainty.own = Energies(target.columns().size(), NAN);
+  if (!long_enough(laws, pooled)) return;
+  const ScoreDraws all = score_draws(models, laws, target, weighting, pooled);
+  const auto p = confidence_set_p(all);
+  const auto groups = confidence_groups(all, kAlpha);
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    Certainty& c = models[m].certainty;
+    const auto own = own_energies(laws[m], target, pooled);
+    c.own = mean(own, target.columns().size());
+    c.goodness_p = goodness(models[m], own, weighting);
+    c.set_p = p[m];
+    c.group = groups[m];
+    interval(c, models[m].score, all.draws.col(static_cast<Eigen::Index>(m)));
+  }
+}
+
+}  // namespace swarmfit

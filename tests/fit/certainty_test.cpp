@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "fit/certainty.h"
+
+#include <gmock/gmock.h>
+#include <omp.h>
+
+#include <cmath>
+
+#include "fit/race.h"
+#include "tests/fit/planted.h"
+
+namespace swarmfit {
+namespace {
+
+using testing::Each;
+using testing::IsNan;
+
+constexpr int kPooled = 3;
+
+// A swarm made by bswarm, and models on it that are fitted to it by decree.
+struct Scene {
+  explicit Scene(std::uint64_t seed) : recording(test::planted_swarm(seed)) {}
+
+  // The truth, with the noise times a factor.
+  std::vector<double> values(double noise) const {
+    auto out = scene_parameters(model, test::midge_parameters());
+    out[static_cast<std::size_t>(model.spec->find("noise"))] *= noise;
+    return out;
+  }
+
+  void add(double noise, int recordings = 39) {
+    const auto seeds = replicate_seeds({1}, Stream::final_seeds, kPooled);
+    FitResult fit;
+    fit.raw_energies = objective.evaluate(values(noise), seeds).raw;
+    fit.score = -cost_of(fit.raw_energies, weighting);
+    fits.push_back(fit);
+    laws.push_back(law_of(objective, values(noise), {1}, recordings));
+  }
+  void fill() { fill_certainty(fits, laws, target, weighting, kPooled); }
+
+  ModelChoice model = parse_model("bswarm");
+  Tracks recording;
+  Conditions conditions = make_conditions(recording, {});
+  Target target{metric_samples(recording), Binning::standard(Normalisation::reference)};
+  Objective objective{model, conditions, target};
+  Weighting weighting = initial_weighting(std::vector<bool>(kMetrics, true), target.worst());
+  std::vector<FitResult> fits;
+  std::vector<Law> laws;
+};
+
+TEST(Certainty, TheTruthExplainsAndWhatIsWrongDoesNot) {
+  Scene s(3);
+  s.add(1);
+  s.add(2);
+  s.fill();
+  EXPECT_GT(s.fits[0].certainty.goodness_p, 0.05);
+  EXPECT_EQ(s.fits[1].certainty.goodness_p, 1.0 / 40);
+  EXPECT_EQ(s.fits[0].certainty.group, 1);
+  EXPECT_EQ(s.fits[1].certainty.group, 2);
+  EXPECT_EQ(s.fits[0].certainty.set_p, 1);
+  for (const FitResult& f : s.fits) {
+    EXPECT_LT(f.certainty.lower, f.score);
+    EXPECT_GT(f.certainty.upper, f.score);
+  }
+}
+
+TEST(Certainty, NearlyEqualModelsAreOneGroup) {
+  Scene s(3);
+  s.add(1);
+  s.add(1.001);
+  s.fill();
+  EXPECT_EQ(s.fits[0].certainty.group, 1);
+  EXPECT_EQ(s.fits[1].certainty.group, 1);
+}
+
+// A recording, three runs that stand for a model: energies by hand, with one of the runs blown up.
+TEST(Certainty, OwnEnergiesAreThoseOfTheNextRunsPooled) {
+  Scene s(3);
+  s.add(1, kPooled + 2);
+  s.laws[0][2].failed = true;
+  s.laws[0][2].distributions = PerColumn<Distribution>(kMetrics);
+  s.fill();
+  Energies expected(kMetrics, 0.0);
+  for (const std::size_t k : {0u, 1u, 3u, 4u}) {
+    Histogram pooled;
+    int failed = 0;
+    for (std::size_t i = 1; i <= kPooled; ++i) {
+      if (const SingleRun& run = s.laws[0][(k + i) % 5]; run.failed)
+        ++failed;
+      else
+        pooled.add(run.distributions[kSpeed].histogram);
+    }
+    const auto p = density(s.laws[0][k].distributions[kSpeed].histogram, -5, 10), q = density(pooled, -5, 10);
+    double sum = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) sum += std::abs(p[i] - q[i]);
+    expected[kSpeed] += ((kPooled - failed) * sum + failed * s.target.worst()) / kPooled / 4;
+  }
+  EXPECT_NEAR(s.fits[0].certainty.own[kSpeed], expected[kSpeed], 1e-12);
+}
+
+TEST(Certainty, TooFewRecordingsTellNothing) {
+  for (const int recordings : {0, kPooled + 1}) {
+    Scene s(3);
+    s.add(1, recordings);
+    s.fill();
+    const Certainty& c = s.fits[0].certainty;
+    EXPECT_THAT((std::vector{c.goodness_p, c.set_p, c.lower, c.upper}), Each(IsNan()));
+    EXPECT_THAT(c.own, Each(IsNan()));
+    EXPECT_EQ(c.group, 0);
+  }
+}
+
+TEST(Certainty, AModelThatAlwaysBlowsUpIsNotExplainedAway) {
+  Scene s(3);
+  s.add(1);
+  s.add(1);
+  for (SingleRun& run : s.laws[1]) run = {PerColumn<Distribution>(kMetrics), true};
+  s.fits[1].raw_energies = Energies(kMetrics, s.target.worst());
+  s.fits[1].score = -cost_of(s.fits[1].raw_energies, s.weighting);
+  s.fill();
+  EXPECT_THAT(s.fits[1].certainty.goodness_p, IsNan());
+  EXPECT_EQ(s.fits[1].certainty.group, 2);
+  EXPECT_GT(s.fits[0].certainty.goodness_p, 0.05);
+}
+
+TEST(Certainty, SameBitsForAnyNumberOfThreads) {
+  const int before = omp_get_max_threads();
+  std::vector<std::vector<double>> found;
+  for (const int threads : {1, 3}) {
+    omp_set_num_threads(threads);
+    Scene s(3);
+    s.add(1, 9);
+    s.add(1.3, 9);
+    s.fill();
+    found.emplace_back();
+    for (const FitResult& f : s.fits)
+      for (const double x : {f.certainty.goodness_p, f.certainty.set_p, f.certainty.lower, f.certainty.upper, f.certainty.own[kJerk]})
+        found.back().push_back(x);
+  }
+  omp_set_num_threads(before);
+  EXPECT_EQ(found[0], found[1]);
+}
+
+// The p of the model that made the recording, without fitting, is uniform: of 60, at most 8 are 0.05 or less and 18 to 42 are 0.5 or less
+// (99 % of the binomial).
+TEST(Certainty, GoodnessIsUniformUnderTheTruth) {
+  int low = 0, half = 0;
+  for (std::uint64_t seed = 101; seed <= 160; ++seed) {
+    Scene s(seed);
+    s.add(1, 19);
+    s.fill();
+    const double p = s.fits[0].certainty.goodness_p;
+    low += p <= 0.05;
+    half += p <= 0.5;
+  }
+  EXPECT_LE(low, 8);
+  EXPECT_GE(half, 20);
+  EXPECT_LE(half, 40);
+}
+
+}  // namespace
+}  // namespace swarmfit
