@@ -91,10 +91,12 @@ void say_where(const FitArguments& a, const std::string& dir) {
 
 // Every recording gets a folder of its own, named after its file; equal names are numbered.
 int run_several(const FitArguments& a, const CompareOptions& options, const std::string& dir) {
+  check_requests(options.requests, options.models);
   std::vector<Tracks> recordings;
   std::vector<std::string> names;
   for (const auto& path : a.recordings) {
     recordings.push_back(load(a.data, path));
+    lags_for(make_conditions(recordings.back(), options.conditions), options);  // refuses what cannot be fitted
     const auto same = std::count_if(a.recordings.begin(), a.recordings.begin() + static_cast<std::ptrdiff_t>(names.size()),
                                     [&](const std::string& other) { return name_of(other) == name_of(path); });
     names.push_back(name_of(path) + (same > 0 ? "-" + std::to_string(same + 1) : ""));

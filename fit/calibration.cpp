@@ -151,10 +151,12 @@ void ModelSearch::promote(const Round& from, Round& to, std::size_t most, double
 
 void ModelSearch::conclude(int number, const Weighting& weighting) {
   const Point best = leaders(confirmation_, weighting, 1, 0.0, &Archived::raw).front().x;
-  if (!selected_.outcome.replicates.empty() && (best.size() == 0 || same(best, selected_.x))) return;
-  Round report = {Stream::final_seeds, final_seeds_, {}, {}};
-  selected_ = {best, objective_.evaluate(space_.parameters(best), final_seeds_)};
-  keep(report, best, selected_.outcome, number, "final");
+  if (selected_.outcome.replicates.empty() || (best.size() > 0 && !same(best, selected_.x))) {
+    Round report = {Stream::final_seeds, final_seeds_, {}, {}};
+    selected_ = {best, objective_.evaluate(space_.parameters(best), final_seeds_)};
+    keep(report, best, selected_.outcome, number, "final");
+  }
+  selections_.push_back(selected_.outcome.raw);
 }
 
 }  // namespace swarmfit

@@ -32,6 +32,7 @@ class ModelSearch {
 
   std::int64_t planned(int number) const;  // simulations of a pass, at most
   const Selected& selected() const { return selected_; }
+  const std::vector<Energies>& selections() const { return selections_; }  // raw energies of what each pass selected, on the final seeds
   const SearchSpace& space() const { return space_; }
   const Objective& objective() const { return objective_; }
   std::int64_t evaluations() const { return evaluations_; }  // of both searches
@@ -61,6 +62,7 @@ class ModelSearch {
   Round search_, selection_, confirmation_;
   std::vector<Rng> final_seeds_;
   Selected selected_;
+  std::vector<Energies> selections_;
   std::int64_t evaluations_ = 0, simulations_ = 0, failed_ = 0;
   std::string stop_reason_;
   std::vector<ConvergencePoint> convergence_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "fit/race.h"
 
@@ -67,16 +68,15 @@ double goodness(const FitResult& fit, const std::vector<Energies>& own, const We
   return static_cast<double>(1 + beyond) / static_cast<double>(1 + own.size());
 }
 
-// Basic bootstrap: the scatter of the draws, turned round the score.
-void interval(Certainty& c, double score, const Eigen::VectorXd& draws) {
+// Basic bootstrap: the scatter of the draws, turned round the value.
+std::pair<double, double> interval(double value, const Eigen::VectorXd& draws) {
   std::vector<double> finite;
   for (const double d : draws)
     if (std::isfinite(d)) finite.push_back(d);
-  if (finite.size() < 2) return;
+  if (finite.size() < 2) return {NAN, NAN};
   Moments moments;
   for (const double d : finite) moments.add(d);
-  c.lower = score - (quantile(finite, 1 - kAlpha / 2) - moments.mean);
-  c.upper = score - (quantile(finite, kAlpha / 2) - moments.mean);
+  return {value - (quantile(finite, 1 - kAlpha / 2) - moments.mean), value - (quantile(finite, kAlpha / 2) - moments.mean)};
 }
 
 }  // namespace
@@ -85,37 +85,54 @@ Law law_of(const Objective& objective, const std::vector<double>& parameters, co
   return objective.singles(parameters, replicate_seeds(root, Stream::law, recordings));
 }
 
-ScoreDraws score_draws(const std::vector<FitResult>& models, const std::vector<Law>& laws, const Target& target, const Weighting& weighting,
+std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& selections, const Weighting& weighting) {
+  std::vector<double> variance;
+  for (const auto& passes : selections) {
+    double sum = 0;
+    for (std::size_t k = 1; k < passes.size(); ++k) sum += std::pow(cost_of(passes[k], weighting) - cost_of(passes[k - 1], weighting), 2);
+    // The variance of a difference is twice that of each.
+    const double own = passes.size() > 1 ? sum / (2 * static_cast<double>(passes.size() - 1)) : 0;
+    variance.push_back(std::isfinite(own) ? own : 0);
+  }
+  const double median = quantile(variance, 0.5);
+  for (double& v : variance) v = std::sqrt(std::max(v, median));
+  return variance;
+}
+
+ScoreDraws score_draws(const std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting,
                        int pooled) {
-  const auto rows = static_cast<Eigen::Index>(laws.front().size()), columns = static_cast<Eigen::Index>(models.size());
+  const Law& recordings = laws.recordings;
+  const auto rows = static_cast<Eigen::Index>(recordings.size()), columns = static_cast<Eigen::Index>(models.size());
   ScoreDraws out{Eigen::VectorXd(columns), Eigen::MatrixXd::Constant(rows, columns, NAN)};
   for (Eigen::Index m = 0; m < columns; ++m) {
-    const Law& law = laws[static_cast<std::size_t>(m)];
-    out.scores(m) = models[static_cast<std::size_t>(m)].score;
+    const auto model = static_cast<std::size_t>(m);
+    out.scores(m) = models[model].score;
     for (Eigen::Index b = 0; b < rows; ++b) {
       const auto k = static_cast<std::size_t>(b);
-      const SingleRun& recording = laws.front()[k];
-      if (!recording.failed) out.draws(b, m) = -cost_of(energies_of(recording, others(law, k, pooled), target), weighting);
+      if (recordings[k].failed) continue;
+      const double missed = laws.scatter[model] * laws.root.normal2(Stream::law, k, static_cast<std::uint32_t>(m))[0];
+      out.draws(b, m) = missed - cost_of(energies_of(recordings[k], others(laws.of[model], k, pooled), target), weighting);
     }
   }
   return out;
 }
 
-void fill_certainty(std::vector<FitResult>& models, const std::vector<Law>& laws, const Target& target, const Weighting& weighting,
-                    int pooled) {
+void fill_certainty(std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting, int pooled) {
   for (FitResult& fit : models) fit.certainty.own = Energies(target.columns().size(), NAN);
-  if (!long_enough(laws, pooled)) return;
+  if (!long_enough(laws.of, pooled)) return;
   const ScoreDraws all = score_draws(models, laws, target, weighting, pooled);
   const auto p = confidence_set_p(all);
   const auto groups = confidence_groups(all, kAlpha);
   for (std::size_t m = 0; m < models.size(); ++m) {
     Certainty& c = models[m].certainty;
-    const auto own = own_energies(laws[m], target, pooled);
+    const auto own = own_energies(laws.of[m], target, pooled);
     c.own = mean(own, target.columns().size());
     c.goodness_p = goodness(models[m], own, weighting);
     c.set_p = p[m];
     c.group = groups[m];
-    interval(c, models[m].score, all.draws.col(static_cast<Eigen::Index>(m)));
+    const auto column = static_cast<Eigen::Index>(m);
+    std::tie(c.lower, c.upper) = interval(all.scores(column), all.draws.col(column));
+    std::tie(c.lead_lower, c.lead_upper) = interval(all.scores(0) - all.scores(column), all.draws.col(0) - all.draws.col(column));
   }
 }
 

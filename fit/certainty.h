@@ -14,10 +14,21 @@ namespace swarmfit {
 using Law = std::vector<SingleRun>;
 Law law_of(const Objective& objective, const std::vector<double>& parameters, const Rng& root, int recordings);
 
-// Scores of all models, and those they get on each recording of the first model's law: every model is represented by `pooled` other runs of
-// its law, so that the scatter holds that of the recording and that of the simulations. Models and laws in the same order; NaN where the
-// recording or a score is undefined.
-ScoreDraws score_draws(const std::vector<FitResult>& models, const std::vector<Law>& laws, const Target& target, const Weighting& weighting,
+// How exactly the searches find what they look for: per model, the standard deviation of its score between searches, from the changes of
+// the score (under the final weights) between what one calibration pass selected and the next; at least the median of all models. 0 where
+// no search was repeated. selections: per model and pass, raw energies.
+std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& selections, const Weighting& weighting);
+
+// Scores of all models, and those they get on each of the recordings: every model is represented by `pooled` other runs of
+// its law, and has missed its best parameters by a normal error of this scatter. So the draws scatter as the recording, the simulations and
+// the searches do. Models, laws and scatter in the same order; NaN where the recording or a score is undefined.
+struct Laws {
+  Law recordings;  // that are scored: those of the best model
+  std::vector<Law> of;
+  std::vector<double> scatter;
+  Rng root;
+};
+ScoreDraws score_draws(const std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting,
                        int pooled);
 
 // Fills FitResult::certainty of models that are ranked. With fewer than `pooled` + 2 recordings per law, everything stays undefined.
@@ -26,9 +37,8 @@ ScoreDraws score_draws(const std::vector<FitResult>& models, const std::vector<L
 //   least 1/(1 + recordings). The model was fitted to the real one, which lies nearer for that: small values are trustworthy, others
 //   flatter.
 // - group, set_p: by the model confidence set at 95 %.
-// - lower, upper: the basic bootstrap interval, over recordings of the best model's law.
+// - lower, upper, lead_lower, lead_upper: basic bootstrap intervals.
 // - own: mean over its own recordings.
-void fill_certainty(std::vector<FitResult>& models, const std::vector<Law>& laws, const Target& target, const Weighting& weighting,
-                    int pooled);
+void fill_certainty(std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting, int pooled);
 
 }  // namespace swarmfit

@@ -20,9 +20,9 @@ namespace {
 
 const std::array<Budget, 3> kBudgets{{
     // name      search          selection     confirmation, final, passes
-    {"quick", {24, 20, 2}, {10, 10, 6}, 8, 8, 3},
-    {"default", {40, 60, 3}, {16, 20, 12}, 24, 12, 6},
-    {"thorough", {80, 120, 5}, {40, 30, 24}, 48, 24, 10},
+    {"quick", {24, 20, 2}, {10, 10, 6}, 24, 24, 3},
+    {"default", {40, 60, 3}, {16, 20, 12}, 48, 32, 6},
+    {"thorough", {80, 120, 5}, {40, 30, 24}, 64, 48, 10},
 }};
 
 Eigen::MatrixXd energy_table(const std::vector<ModelSearch>& searches) {
@@ -179,17 +179,23 @@ FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const 
   return fit;
 }
 
+template <class T>
+std::vector<T> in_order(std::vector<T> values, const std::vector<std::size_t>& order) {
+  std::vector<T> out;
+  for (const std::size_t k : order) out.push_back(std::move(values[k]));
+  return out;
+}
+
 // Models and their laws, best first.
-void rank(std::vector<FitResult>& models, std::vector<Law>& laws) {
+void rank(std::vector<FitResult>& models, Laws& laws) {
   std::vector<std::size_t> order(models.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto score = [&](std::size_t k) { return std::isnan(models[k].score) ? -INFINITY : models[k].score; };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return score(a) > score(b); });
-  std::vector<FitResult> ranked;
-  std::vector<Law> ranked_laws;
-  for (const std::size_t k : order) ranked.push_back(std::move(models[k])), ranked_laws.push_back(std::move(laws[k]));
-  models = std::move(ranked);
-  laws = std::move(ranked_laws);
+  models = in_order(std::move(models), order);
+  laws.of = in_order(std::move(laws.of), order);
+  laws.scatter = in_order(std::move(laws.scatter), order);
+  laws.recordings = laws.of.front();
   for (std::size_t k = 0; k < models.size(); ++k) models[k].rank = std::isfinite(models[k].score) ? static_cast<int>(k) + 1 : 0;
 }
 
@@ -223,17 +229,20 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   PerColumn<bool> clear = result.observation.used;
   for (std::size_t j = 0; j < clear.size(); ++j) clear[j] = clear[j] && !result.observation.drowned[j];
   const Judge judge(conditions, clear, options.seed);
-  std::vector<Law> laws;
+  Laws laws{{}, {}, {}, {options.seed}};
+  std::vector<std::vector<Energies>> selections;
   for (std::size_t m = 0; m < options.models.size(); ++m) {
     const auto& search = calibration.searches()[m];
     const auto values = search.space().parameters(search.selected().x);
     result.models.push_back(fit_result(search, options.models[m], conditions, target, calibration.weighting()));
     judge.judge(result.models.back(), search.objective(), values, search.final_seeds());
-    laws.push_back(law_of(search.objective(), values, {options.seed}, options.laws));
+    selections.push_back(search.selections());
+    laws.of.push_back(law_of(search.objective(), values, {options.seed}, options.laws));
     result.named.push_back(options.models[m].name);
     result.searched.emplace_back();
     for (const auto p : search.space().searched()) result.searched.back().emplace_back(options.models[m].spec->parameters[p].name);
   }
+  laws.scatter = search_scatter(selections, calibration.weighting());
   rank(result.models, laws);
   result.laws = options.laws;
   fill_certainty(result.models, laws, target, calibration.weighting(), options.budget.final_replicates);

@@ -23,6 +23,7 @@ struct ConditionOptions {
   int population = 0;    // how many there really were, where only part of the group was tracked; 0: as recorded
   double smoothing = 0;  // Gaussian smoothing of both sides, standard deviation in frames
   VelocitySource velocity = VelocitySource::difference;
+  Scales step_scales{};  // that set the steps per frame; speed 0: the recording's own
 };
 
 // Immutable and shared by all simulations of a fit.

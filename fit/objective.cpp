@@ -41,7 +41,8 @@ Objective::Objective(const ModelChoice& model, const Conditions& conditions, con
   const Tracks& recording = conditions.recording;
   model_ = model.spec->make({recording.dims(), model.options, conditions.scales, &recording});
   plan_.frame_dt = recording.dt();
-  plan_.substeps = swarmfit::substeps(*model.spec, conditions.scales, recording.dt());
+  const Scales& own = conditions.options.step_scales;
+  plan_.substeps = swarmfit::substeps(*model.spec, own.speed > 0 ? own : conditions.scales, recording.dt());
   plan_.first_frame = conditions.first_frame;
   plan_.frames = conditions.frames;
   plan_.speed_limit = kEscapeSpeed * conditions.scales.speed;

@@ -65,6 +65,7 @@ Tracks planted_recording(const ModelChoice& model, const std::vector<double>& pa
 }
 
 CompareOptions with_shared_constants(CompareOptions compare, const Scales& scales) {
+  compare.conditions.step_scales = scales;
   for (const auto& model : compare.models) {
     const std::vector<double> values = planted_parameters(model, scales);
     for (std::size_t p = 0; p < values.size(); ++p) {

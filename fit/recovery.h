@@ -54,8 +54,8 @@ std::vector<double> varied(const ModelChoice& model, std::vector<double> paramet
 Tracks planted_recording(const ModelChoice& model, const std::vector<double>& parameters, PlantOptions film, const Scales& scales,
                          std::uint64_t seed);
 
-// Options under which parameters that are not fitted have the same values in the planted swarms and in all models compared with them,
-// whatever scales a planted recording turns out to have; values that were set already stay.
+// Options under which parameters that are not fitted have the same values, and time steps the same length, in the planted swarms and in all
+// models compared with them, whatever scales a planted recording turns out to have; values that were set already stay.
 CompareOptions with_shared_constants(CompareOptions compare, const Scales& scales);
 
 // Called after every case; returning false interrupts (Interrupted is thrown).

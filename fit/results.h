@@ -129,6 +129,7 @@ struct Certainty {
   int group = 0;            // models of one group cannot be told apart, the best are group 1; 0: cannot be told
   double set_p = NAN;       // p at which the model leaves the model confidence set of all
   double lower = NAN, upper = NAN;  // of the score, 95 %, over recordings as long as this one
+  double lead_lower = NAN, lead_upper = NAN;  // of the first model's lead, 95 %
   Energies own{};                   // mean raw energies of its own recordings: what a perfect model would have
 };
 

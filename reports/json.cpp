@@ -157,6 +157,7 @@ Json model(const Columns& columns, const FitResult& r) {
           {"score", r.score},
           {"score_se", r.score_se},
           {"score_ci", {r.certainty.lower, r.certainty.upper}},
+          {"lead_ci", {r.certainty.lead_lower, r.certainty.lead_upper}},
           {"group", r.certainty.group > 0 ? Json(r.certainty.group) : Json()},
           {"set_p", r.certainty.set_p},
           {"gof_p", r.certainty.goodness_p},

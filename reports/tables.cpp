@@ -44,11 +44,17 @@ Csv with_header(std::initializer_list<std::string_view> names) {
 std::string rank_text(int rank) { return rank > 0 ? std::to_string(rank) : std::string(); }
 
 std::string ranking(const Comparison& c) {
-  Csv csv = with_header({"rank", "model", "score", "score_se", "score_lower", "score_upper", "group", "set_p", "gof_p", "evaluations",
-                         "simulations", "failed_simulations", "failed_final", "n_sub", "infeasible_avoidance", "stop_reason"});
+  Csv csv = with_header({"rank", "model", "score", "score_se", "score_lower", "score_upper", "lead_lower", "lead_upper", "group", "set_p",
+                         "gof_p", "evaluations", "simulations", "failed_simulations", "failed_final", "n_sub", "infeasible_avoidance",
+                         "stop_reason"});
   for (const FitResult& r : c.models) {
     csv.field(rank_text(r.rank)).field(r.model).field(r.score).field(r.score_se);
-    csv.field(r.certainty.lower).field(r.certainty.upper).field(rank_text(r.certainty.group)).field(r.certainty.set_p);
+    csv.field(r.certainty.lower)
+        .field(r.certainty.upper)
+        .field(r.certainty.lead_lower)
+        .field(r.certainty.lead_upper)
+        .field(rank_text(r.certainty.group))
+        .field(r.certainty.set_p);
     csv.field(r.certainty.goodness_p).field(r.evaluations).field(r.simulations);
     csv.field(r.failed_simulations).field(r.failed_final).field(std::int64_t{r.substeps}).field(r.infeasible_avoidance);
     csv.field(r.stop_reason).end();

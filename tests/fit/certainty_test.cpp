@@ -34,9 +34,13 @@ struct Scene {
     fit.raw_energies = objective.evaluate(values(noise), seeds).raw;
     fit.score = -cost_of(fit.raw_energies, weighting);
     fits.push_back(fit);
-    laws.push_back(law_of(objective, values(noise), {1}, recordings));
+    laws.of.push_back(law_of(objective, values(noise), {1}, recordings));
+    laws.scatter.push_back(0);
   }
-  void fill() { fill_certainty(fits, laws, target, weighting, kPooled); }
+  void fill() {
+    laws.recordings = laws.of.front();
+    fill_certainty(fits, laws, target, weighting, kPooled);
+  }
 
   ModelChoice model = parse_model("bswarm");
   Tracks recording;
@@ -45,7 +49,7 @@ struct Scene {
   Objective objective{model, conditions, target};
   Weighting weighting = initial_weighting(std::vector<bool>(kMetrics, true), target.worst());
   std::vector<FitResult> fits;
-  std::vector<Law> laws;
+  Laws laws{{}, {}, {}, {1}};
 };
 
 TEST(Certainty, TheTruthExplainsAndWhatIsWrongDoesNot) {
@@ -62,6 +66,10 @@ TEST(Certainty, TheTruthExplainsAndWhatIsWrongDoesNot) {
     EXPECT_LT(f.certainty.lower, f.score);
     EXPECT_GT(f.certainty.upper, f.score);
   }
+  EXPECT_GT(s.fits[1].certainty.lead_lower, 0);
+  EXPECT_LT(s.fits[1].certainty.lead_lower, s.fits[0].score - s.fits[1].score);
+  EXPECT_GT(s.fits[1].certainty.lead_upper, s.fits[0].score - s.fits[1].score);
+  EXPECT_EQ(s.fits[0].certainty.lead_lower, 0);
 }
 
 TEST(Certainty, NearlyEqualModelsAreOneGroup) {
@@ -73,24 +81,53 @@ TEST(Certainty, NearlyEqualModelsAreOneGroup) {
   EXPECT_EQ(s.fits[1].certainty.group, 1);
 }
 
+// The same two models as in the first test, but searches that miss by as much as the models differ.
+TEST(Certainty, SearchesThatMissTellNothingApart) {
+  Scene s(3);
+  s.add(1);
+  s.add(2);
+  s.laws.scatter.assign(2, s.fits[0].score - s.fits[1].score);
+  s.fill();
+  EXPECT_EQ(s.fits[1].certainty.group, 1);
+}
+
+// One column, whose score is minus its energy. Changes 0.3 and 0.1: variance (0.09 + 0.01) / 2 / 2. The median of three holds for the
+// third, which did not move; and for one that moved less.
+TEST(Certainty, SearchScatterByHand) {
+  Weighting w;
+  w.weights = {1};
+  w.p1 = {0};
+  w.p2 = {1};
+  const auto passes = [](std::initializer_list<double> energies) {
+    std::vector<Energies> out;
+    for (const double e : energies) out.push_back(Energies(1, e));
+    return out;
+  };
+  const double moved = std::sqrt(0.1 / 4), little = std::sqrt(0.01 / 4);
+  EXPECT_THAT(search_scatter({passes({1, 0.7, 0.8}), passes({1, 1, 0.9}), passes({2, 2, 2})}, w),
+              testing::Pointwise(testing::DoubleNear(1e-12), {moved, little, little}));
+  EXPECT_THAT(search_scatter({passes({1})}, w), testing::ElementsAre(0));
+  EXPECT_THAT(search_scatter({passes({1, NAN}), passes({1, NAN})}, w), Each(0));
+}
+
 // A recording, three runs that stand for a model: energies by hand, with one of the runs blown up.
 TEST(Certainty, OwnEnergiesAreThoseOfTheNextRunsPooled) {
   Scene s(3);
   s.add(1, kPooled + 2);
-  s.laws[0][2].failed = true;
-  s.laws[0][2].distributions = PerColumn<Distribution>(kMetrics);
+  s.laws.of[0][2].failed = true;
+  s.laws.of[0][2].distributions = PerColumn<Distribution>(kMetrics);
   s.fill();
   Energies expected(kMetrics, 0.0);
   for (const std::size_t k : {0u, 1u, 3u, 4u}) {
     Histogram pooled;
     int failed = 0;
     for (std::size_t i = 1; i <= kPooled; ++i) {
-      if (const SingleRun& run = s.laws[0][(k + i) % 5]; run.failed)
+      if (const SingleRun& run = s.laws.of[0][(k + i) % 5]; run.failed)
         ++failed;
       else
         pooled.add(run.distributions[kSpeed].histogram);
     }
-    const auto p = density(s.laws[0][k].distributions[kSpeed].histogram, -5, 10), q = density(pooled, -5, 10);
+    const auto p = density(s.laws.of[0][k].distributions[kSpeed].histogram, -5, 10), q = density(pooled, -5, 10);
     double sum = 0;
     for (std::size_t i = 0; i < p.size(); ++i) sum += std::abs(p[i] - q[i]);
     expected[kSpeed] += ((kPooled - failed) * sum + failed * s.target.worst()) / kPooled / 4;
@@ -114,7 +151,7 @@ TEST(Certainty, AModelThatAlwaysBlowsUpIsNotExplainedAway) {
   Scene s(3);
   s.add(1);
   s.add(1);
-  for (SingleRun& run : s.laws[1]) run = {PerColumn<Distribution>(kMetrics), true};
+  for (SingleRun& run : s.laws.of[1]) run = {PerColumn<Distribution>(kMetrics), true};
   s.fits[1].raw_energies = Energies(kMetrics, s.target.worst());
   s.fits[1].score = -cost_of(s.fits[1].raw_energies, s.weighting);
   s.fill();

@@ -91,6 +91,7 @@ TEST(ResultsJson, HowSureEveryPlaceIs) {
   const json j = json::parse(to_json(sample_comparison()));
   EXPECT_EQ(j["laws"], 99);
   EXPECT_EQ(j["models"][0]["score_ci"], json::array({0.912 - 0.03, 0.912 + 0.02}));
+  EXPECT_EQ(j["models"][1]["lead_ci"], json::array({0.1, 0.3}));
   EXPECT_EQ(j["models"][0]["group"], 1);
   EXPECT_EQ(j["models"][1]["group"], 2);
   EXPECT_EQ(j["models"][1]["set_p"], 0.5);

@@ -77,7 +77,7 @@ FitResult fit_result(const Comparison& c, const Sketch& sketch, int rank) {
   r.stop_reason = "stalled";
   r.substeps = 2;
   r.infeasible_avoidance = 0.0021;
-  r.certainty = {0.5 / rank, 0, 1.0 / rank, sketch.score - 0.03, sketch.score + 0.02, {}};
+  r.certainty = {0.5 / rank, 0, 1.0 / rank, sketch.score - 0.03, sketch.score + 0.02, 0.05 * rank, 0.15 * rank, {}};
   for (std::size_t m = 0; m < kMetrics; ++m) r.certainty.own[m] = 0.1 + 0.05 * static_cast<double>(m);
   r.skill = {sketch.score - 0.1, 0.02};
   for (std::size_t m = 0; m < kMetrics; ++m) {
