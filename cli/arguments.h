@@ -41,6 +41,7 @@ struct FitArguments {
   int replicates = 0;
   int population = 0;
   bool common_dynamics = false;
+  bool posterior = false;
   bool resume = false;  // take up the checkpoint in `out`
 };
 
@@ -55,10 +56,16 @@ struct RecoverArguments {
   std::vector<std::string> models, planted, set;
   std::string preset, out, budget = "quick", protocol = "default", observation_error, lags, resolution, calibration;
   std::int64_t max_evaluations = 0, frames = 300;
+  bool parameters = false;  // of one model, instead of which model
   int seeds = 10, agents = 10, dims = 3;
   double fps = 100, noise = 0, dropout = 0, spread = 2;
   double extent = 100, spacing = 70, speed = 225;  // a laboratory swarm of midges, in mm and s
   std::string unit = "mm";
+};
+
+struct PowerArguments {
+  FitArguments fit;
+  int seeds = 3;
 };
 
 struct DescribeArguments {

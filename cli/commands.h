@@ -18,6 +18,7 @@ int compare(const FitArguments&);  // two or more
 // "fit" or "compare": which command left this unfinished run? Throws InputError if there is nothing to go on with.
 std::string command_of_run(const std::string& dir);
 int recover(const RecoverArguments&);
+int power(const PowerArguments&);
 int list_models(const ModelsArguments&);
 int list_formats(const Common&);
 

@@ -56,6 +56,10 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
   app.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);
   app.add_option("--replicates", a.replicates, "simulations per candidate, instead of the budget's")->check(CLI::NonNegativeNumber);
+  app.add_flag(
+      "--posterior", a.posterior,
+      "beside the best parameters, their posterior distribution: 95 % intervals, which parameters the recording determines at all, and "
+      "a sample of it");
   app.add_option("--set", a.set, "parameter=value, not searched; model.parameter=value for one model")->take_all();
   app.add_option("--fix", a.fix, "parameters to keep at their default")->delimiter(',')->take_all();
   app.add_option("--bounds", a.bounds, "parameter=lower:upper, searched in between")->take_all();
@@ -94,6 +98,13 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("--bins", a.bins, "histogram bins, instead of the normalisation's default")->check(CLI::NonNegativeNumber);
 }
 
+void add_preset(CLI::App& app, FitArguments& a) {
+  app.add_option("--preset", a.preset,
+                 "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: bswarm, noise_aware, "
+                 "boids, rvo, brownian and the null model langevin; all: these and every other model")
+      ->check(CLI::IsMember({"noise", "ablation", "models", "all"}));
+}
+
 int resume_run(const ResumeArguments&);
 
 // All commands and what the user gave them.
@@ -106,6 +117,7 @@ struct Program {
   WeighArguments weigh;
   SimulateArguments simulate;
   RecoverArguments recover;
+  PowerArguments power;
   ResumeArguments resume;
   ModelsArguments models;
   Common list;
@@ -126,6 +138,7 @@ struct Program {
     add_fits();
     add_resume();
     add_recover();
+    add_power();
     add_lists();
   }
 
@@ -203,11 +216,7 @@ struct Program {
     add_fit(one, fit);
     auto& many = command("compare", "fit several models and rank them", [this] { return cli::compare(compare); });
     add_fit(many, compare);
-    many.add_option(
-            "--preset", compare.preset,
-            "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: bswarm, noise_aware, "
-            "boids, rvo, brownian and the null model langevin; all: these and every other model")
-        ->check(CLI::IsMember({"noise", "ablation", "models", "all"}));
+    add_preset(many, compare);
     many.add_flag("--common", compare.common_dynamics,
                   "fit what all the models have in common once, with the first of them, and keep it (the paper's noise comparison)");
   }
@@ -228,6 +237,9 @@ struct Program {
     sub.add_option("-m,--model", a.models, "models that are compared, comma-separated, with settings in brackets");
     sub.add_option("--preset", a.preset, "noise, ablation, models or all, as in compare")
         ->check(CLI::IsMember({"noise", "ablation", "models", "all"}));
+    sub.add_flag("--parameters", a.parameters,
+                 "of one model: do the 95 % intervals of its parameters hold the true values? These are drawn from the whole range that is "
+                 "searched");
     sub.add_option("--plant", a.planted, "models that make recordings; all that are compared if not given");
     sub.add_option("--set", a.set, "model.parameter=value, of the planted models, in physical units")->take_all();
     sub.add_option("--seeds", a.seeds, "recordings per model")->check(CLI::PositiveNumber)->capture_default_str();
@@ -254,6 +266,15 @@ struct Program {
     sub.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
     sub.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);
     sub.add_option("-o,--out", a.out, "run directory; swarmfit-recovery if not given");
+  }
+
+  void add_power() {
+    power.fit.budget = "quick";
+    auto& sub = command("power", "before any ranking: which models could this recording tell apart, and how much more would it take?",
+                        [this] { return cli::power(power); });
+    add_fit(sub, power.fit);
+    add_preset(sub, power.fit);
+    sub.add_option("--seeds", power.seeds, "recordings made by each model, 2 or more")->check(CLI::Range(2, 10000))->capture_default_str();
   }
 
   void add_lists() {

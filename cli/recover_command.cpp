@@ -12,6 +12,7 @@
 #include "cli/style.h"
 #include "fit/recovery.h"
 #include "libtrack/error.h"
+#include "reports/parameter_recovery_report.h"
 #include "reports/recovery_report.h"
 
 namespace swarmfit::cli {
@@ -32,7 +33,8 @@ RecoveryOptions recovery_options(const RecoverArguments& a) {
   RecoveryOptions o;
   o.compare = compare_options(with_protocol(fit));
   o.planted = a.planted.empty() ? o.compare.models : parse_models(a.planted);
-  if (o.compare.models.size() < 2)
+  if (a.parameters && o.compare.models.size() != 1) throw InputError("recover --parameters: expected exactly one model, as in -m brownian");
+  if (!a.parameters && o.compare.models.size() < 2)
     throw InputError("recover: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
   o.film.dims = a.dims;
   o.film.agents = a.agents;
@@ -73,6 +75,7 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
              {"unit", quoted(a.unit)},
              {"protocol", quoted(a.protocol)},
              {"budget", quoted(a.budget)}};
+  if (a.parameters) s.emplace_back("parameters", "true");
   if (a.max_evaluations > 0) s.emplace_back("max-evaluations", std::to_string(a.max_evaluations));
   if (!a.observation_error.empty()) s.emplace_back("obs-noise", quoted(a.observation_error));
   if (!a.lags.empty()) s.emplace_back("lags", quoted(a.lags));
@@ -84,6 +87,33 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   return s;
 }
 
+int recover_models_of(const RecoverArguments& a, const RecoveryOptions& options, const std::string& dir) {
+  const auto total = options.planted.size() * static_cast<std::size_t>(options.seeds);
+  std::size_t done = 0;
+  const Recovery result = recover_models(options, [&](const RecoveryCase& c) {
+    ++done;
+    if (!a.common.quiet)
+      std::fprintf(stderr, "%zu/%zu: %s, seed %llu: %s first\n", done, total, options.planted[c.planted].name.c_str(),
+                   static_cast<unsigned long long>(c.seed), c.order.front().c_str());
+    return !interrupted();
+  });
+  const Settings settings = resolved(a, options);
+  write_recovery(dir, result, settings);
+  std::fputs(a.common.json ? to_json(result, settings).c_str() : recovery_text(result, style()).c_str(), stdout);
+  return 0;
+}
+
+int recover_parameters_of(const RecoverArguments& a, const RecoveryOptions& options, const std::string& dir) {
+  const ParameterRecovery result = recover_parameters(options, [&](std::size_t done) {
+    if (!a.common.quiet) std::fprintf(stderr, "%zu/%d\n", done, options.seeds);
+    return !interrupted();
+  });
+  const Settings settings = resolved(a, options);
+  write_parameter_recovery(dir, result, settings);
+  std::fputs(a.common.json ? to_json(result, settings).c_str() : parameter_recovery_text(result, style()).c_str(), stdout);
+  return 0;
+}
+
 }  // namespace
 
 int recover(const RecoverArguments& a) {
@@ -91,25 +121,12 @@ int recover(const RecoverArguments& a) {
   const RecoveryOptions options = recovery_options(a);
   const std::string dir = a.out.empty() ? "swarmfit-recovery" : a.out;
   check_run_directory(dir);
-  const auto total = options.planted.size() * static_cast<std::size_t>(options.seeds);
-  std::size_t done = 0;
-  Recovery result;
   try {
-    result = recover_models(options, [&](const RecoveryCase& c) {
-      ++done;
-      if (!a.common.quiet)
-        std::fprintf(stderr, "%zu/%zu: %s, seed %llu: %s first\n", done, total, options.planted[c.planted].name.c_str(),
-                     static_cast<unsigned long long>(c.seed), c.order.front().c_str());
-      return !interrupted();
-    });
+    return a.parameters ? recover_parameters_of(a, options, dir) : recover_models_of(a, options, dir);
   } catch (const Interrupted&) {
     std::fprintf(stderr, "swarmfit: interrupted; nothing was written\n");
     return kInterrupted;
   }
-  const Settings settings = resolved(a, options);
-  write_recovery(dir, result, settings);
-  std::fputs(a.common.json ? to_json(result, settings).c_str() : recovery_text(result, style()).c_str(), stdout);
-  return 0;
 }
 
 }  // namespace swarmfit::cli

@@ -195,6 +195,7 @@ CompareOptions compare_options(const FitArguments& a) {
   o.error_limit = a.error_limit;
   o.resolution = a.resolution == "recording";
   o.mean_weights = a.calibration == "mean";
+  o.posterior = a.posterior;
   return o;
 }
 
@@ -232,6 +233,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("arena", a.arena);
   positive("population", a.population);
   if (a.common_dynamics) out.emplace_back("common", "true");
+  if (a.posterior) out.emplace_back("posterior", "true");
   text("obs-noise", a.observation_error);
   out.emplace_back("error-limit", fmt::format("{}", a.error_limit));
   text("resolution", a.resolution);

@@ -11,6 +11,7 @@
 #include "fit/calibration.h"
 #include "fit/certainty.h"
 #include "fit/facts.h"
+#include "fit/fit_result.h"
 #include "fit/judge.h"
 #include "fit/sensitivity.h"
 #include "libtrack/error.h"
@@ -44,13 +45,6 @@ WeightStep weight_step(int pass, const Weighting& searched, const Weighting& now
   double change = 0;
   for (std::size_t j = 0; j < now.weights.size(); ++j) change = std::max(change, std::abs(now.weights[j] - before.weights[j]));
   return {pass, per_column(searched.weights), per_column(now.weights), per_column(now.p1), per_column(now.p2), change};
-}
-
-double standard_error(const std::vector<double>& values) {
-  Moments moments;
-  for (const double v : values) moments.add(v);
-  const auto n = static_cast<double>(moments.count);
-  return n > 1 ? std::sqrt(moments.m2 / (n - 1) / n) : NAN;
 }
 
 // What the next pass minimises: the last table's p1 and p2, and the mean of the weights of all passes and those before the first, which
@@ -117,68 +111,6 @@ class Calibration {
   Weighting weighting_;
 };
 
-void fill_energies(FitResult& fit, const ModelSearch& search, const Weighting& weighting) {
-  const Outcome& outcome = search.selected().outcome;
-  fit.score = -cost_of(outcome.raw, weighting);
-  fit.raw_energies = outcome.raw;
-  fit.replicate_energies = outcome.replicates;
-  std::vector<double> scores;
-  for (const auto& replicate : outcome.replicates) scores.push_back(-cost_of(replicate, weighting));
-  fit.score_se = standard_error(scores);
-  const std::size_t columns = outcome.raw.size();
-  fit.energies = fit.raw_se = Energies(columns);
-  for (std::size_t j = 0; j < columns; ++j) {
-    fit.energies[j] = weighting.p2[j] > 0 ? (outcome.raw[j] - weighting.p1[j]) / weighting.p2[j] : 0;
-    std::vector<double> column;
-    for (const auto& replicate : outcome.replicates) column.push_back(replicate[j]);
-    fit.raw_se[j] = standard_error(column);
-  }
-  fit.distributions = outcome.distributions;
-}
-
-void fill_ratios(FitResult& fit, const Target& target) {
-  const std::size_t columns = target.columns().size();
-  fit.mean_ratio = fit.sd_ratio = fit.outside_fraction = PerColumn<double>(columns);
-  for (std::size_t j = 0; j < columns; ++j) {
-    const auto& real = target.recording()[j];
-    const auto& sim = fit.distributions[j];
-    fit.mean_ratio[j] = sim.moments.mean / real.moments.mean;
-    fit.sd_ratio[j] = sim.moments.sd() / real.moments.sd();
-    fit.outside_fraction[j] =
-        sim.histogram.samples ? static_cast<double>(sim.histogram.outside) / static_cast<double>(sim.histogram.samples) : NAN;
-  }
-}
-
-FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const Conditions& conditions, const Target& target,
-                     const Weighting& weighting) {
-  FitResult fit;
-  fit.model = model.name;
-  fit.summary = model.spec->summary;
-  fit.citation = model.spec->citation;
-  fit.options = {model.options.begin(), model.options.end()};
-  const auto& best = search.selected();
-  fit.parameters = search.space().describe(best.x, conditions.recording.meta().unit);
-  fill_energies(fit, search, weighting);
-  fill_ratios(fit, target);
-  const auto values = search.space().parameters(best.x);
-  fit.half_step_energies = search.objective().evaluate(values, search.final_seeds(), 2).raw;
-  const Scales seen = natural_scales(search.objective().simulate(values, search.final_seeds().front()));
-  fit.extent = seen.extent;
-  fit.spacing = seen.spacing;
-  fit.speed = seen.speed;
-  fit.evaluations = search.evaluations();
-  fit.simulations = search.simulations();
-  fit.failed_simulations = search.failed();
-  fit.failed_final = static_cast<double>(best.outcome.failed) / static_cast<double>(best.outcome.replicates.size());
-  fit.stop_reason = search.stop_reason();
-  fit.substeps = search.objective().substeps();
-  const auto& count = best.outcome.count;
-  fit.infeasible_avoidance =
-      count.agent_steps ? static_cast<double>(count.infeasible_avoidance) / static_cast<double>(count.agent_steps) : 0;
-  fit.convergence = search.convergence();
-  return fit;
-}
-
 template <class T>
 std::vector<T> in_order(std::vector<T> values, const std::vector<std::size_t>& order) {
   std::vector<T> out;
@@ -236,6 +168,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
     const auto values = search.space().parameters(search.selected().x);
     result.models.push_back(fit_result(search, options.models[m], conditions, target, calibration.weighting()));
     judge.judge(result.models.back(), search.objective(), values, search.final_seeds());
+    if (options.posterior) fill_posterior(result.models.back(), search, conditions, target, Rng{options.seed}.derive(Stream::posterior, m));
     selections.push_back(search.selections());
     laws.of.push_back(law_of(search.objective(), values, {options.seed}, options.laws));
     result.named.push_back(options.models[m].name);
@@ -255,12 +188,6 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.warnings = warnings_for(result);
   for (auto& warning : warnings_of_skill(result)) result.warnings.push_back(std::move(warning));
   return result;
-}
-
-std::vector<double> parameter_values(const ModelChoice& model, const FitResult& fit) {
-  std::vector<double> values(model.spec->parameters.size(), 0.0);
-  for (const auto& p : fit.parameters) values[static_cast<std::size_t>(model.spec->find(p.name))] = p.value;
-  return values;
 }
 
 }  // namespace swarmfit

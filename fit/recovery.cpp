@@ -14,8 +14,10 @@ namespace {
 
 constexpr double kWarmUp = 2;  // in units of L / V
 
-RecoveryCase judged(std::size_t planted, const std::string& name, std::uint64_t seed, std::vector<double> parameters,
-                    const Comparison& result) {
+}  // namespace
+
+RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::uint64_t seed, std::vector<double> parameters,
+                           const Comparison& result) {
   RecoveryCase out{planted, seed, std::move(parameters), {}, {}, {}, {}, {}, 0};
   for (const FitResult& fit : result.models) {
     out.order.push_back(fit.model);
@@ -28,7 +30,11 @@ RecoveryCase judged(std::size_t planted, const std::string& name, std::uint64_t 
   return out;
 }
 
-}  // namespace
+void add_case(Recovery& recovery, RecoveryCase one) {
+  const auto winner = std::find(recovery.compared.begin(), recovery.compared.end(), one.order.front());
+  ++recovery.confusion[one.planted][static_cast<std::size_t>(winner - recovery.compared.begin())];
+  recovery.cases.push_back(std::move(one));
+}
 
 std::vector<double> planted_parameters(const ModelChoice& model, const Scales& scales, const std::map<std::string, double>& set) {
   std::vector<double> values = scene_parameters(model, set);
@@ -95,9 +101,7 @@ Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on
       compare_options.seed = seed;
       const auto parameters = varied(model, out.parameters.back(), options.scales, options.spread, seed, set);
       const Tracks recording = planted_recording(model, parameters, options.film, options.scales, seed);
-      out.cases.push_back(judged(p, model.name, seed, parameters, compare(recording, compare_options)));
-      const auto winner = std::find(out.compared.begin(), out.compared.end(), out.cases.back().order.front());
-      ++out.confusion.back()[static_cast<std::size_t>(winner - out.compared.begin())];
+      add_case(out, recovery_case(p, model.name, seed, parameters, compare(recording, compare_options)));
       if (on_case && !on_case(out.cases.back())) throw Interrupted{};
     }
   }

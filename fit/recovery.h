@@ -58,6 +58,13 @@ Tracks planted_recording(const ModelChoice& model, const std::vector<double>& pa
 // models compared with them, whatever scales a planted recording turns out to have; values that were set already stay.
 CompareOptions with_shared_constants(CompareOptions compare, const Scales& scales);
 
+// What a comparison of a planted recording says of the model that made it.
+RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::uint64_t seed, std::vector<double> parameters,
+                           const Comparison& result);
+
+// Appends a case and counts its winner.
+void add_case(Recovery& recovery, RecoveryCase one);
+
 // Called after every case; returning false interrupts (Interrupted is thrown).
 using OnRecoveryCase = std::function<bool(const RecoveryCase&)>;
 Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case = {});

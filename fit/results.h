@@ -68,12 +68,30 @@ struct LagFacts {
   double error_share = NAN;  // the largest of its columns; NaN unknown
 };
 
+// What the recording says about a parameter beside its best value (fit/parameter_posterior.h), in physical units.
+struct ParameterUncertainty {
+  double median = NAN, lower = NAN, upper = NAN;  // posterior, ends of the central 95 %; NaN: not asked for, or not searched
+  double contraction = NAN;                       // 1 - variance / variance of the prior, on the axis of the search
+  std::string verdict;                            // "identified", "one-sided", "flat"; empty: as above
+  std::string partner;                            // the parameter with the strongest correlation, and that; empty: there is no other
+  double correlation = NAN;
+};
+
 struct ParameterResult {
   std::string name, symbol, unit, meaning;
   double value = 0, lower = 0, upper = 0;  // physical units; lower = upper = value where it was not searched
   bool fitted = false, log = false;
   bool at_bound = false;   // within 1 % of the searched interval from a bound
   std::string at_lower{};  // of the lower one, what that means, if anything
+  ParameterUncertainty posterior{};
+};
+
+// Behind the uncertainty of a model's parameters.
+struct PosteriorFacts {
+  std::vector<std::vector<double>> sample{};  // searched parameters in table order, physical units
+  std::vector<double> weight{};               // sums to 1
+  double effective = NAN;                     // effective sample size
+  int simulations = 0, blew_up = 0;           // 0: no posterior
 };
 
 // One point of a convergence curve.
@@ -128,9 +146,9 @@ struct Certainty {
   double goodness_p = NAN;  // of recordings made by this model, the share that is as far from it as the recording is; small: it is not one
   int group = 0;            // models of one group cannot be told apart, the best are group 1; 0: cannot be told
   double set_p = NAN;       // p at which the model leaves the model confidence set of all
-  double lower = NAN, upper = NAN;  // of the score, 95 %, over recordings as long as this one
+  double lower = NAN, upper = NAN;            // of the score, 95 %, over recordings as long as this one
   double lead_lower = NAN, lead_upper = NAN;  // of the first model's lead, 95 %
-  Energies own{};                   // mean raw energies of its own recordings: what a perfect model would have
+  Energies own{};                             // mean raw energies of its own recordings: what a perfect model would have
 };
 
 // Everything about one model in a comparison (or the only one of a fit).
@@ -165,6 +183,7 @@ struct FitResult {
   PerColumn<double> wasserstein{};      // mean over single final replicates [sd of the recording]
   std::vector<Estimate> panel;          // per item of PanelFacts
   std::vector<Estimate> vacf;           // per lag of PanelFacts
+  PosteriorFacts posterior{};
 };
 
 // One row of history.csv: a candidate that was simulated.

@@ -14,6 +14,8 @@ namespace swarmfit::sections {
 
 namespace {
 
+using Cells = std::vector<HtmlTable::Cell>;
+
 // Where a value lies between its bounds, 0..1, on the scale on which it was searched.
 double place(const ParameterResult& p) {
   if (!p.fitted || !(p.upper > p.lower)) return NAN;
@@ -23,20 +25,28 @@ double place(const ParameterResult& p) {
 
 Html parameter_table(const FitResult& r) {
   HtmlTable table(fmt::format("Parameters of {}", r.model));
-  table.head({column("parameter"), column("symbol"), column("value", true), column("unit"), column("searched from", true),
-              column("to", true), column("place between bounds"), column("meaning")});
+  const bool posterior = r.posterior.simulations > 0;
+  Cells head = {column("parameter"),           column("symbol"),   column("value", true),         column("unit"),
+                column("searched from", true), column("to", true), column("place between bounds")};
+  if (posterior) head.insert(head.end(), {column("95 %", true), column("verdict"), column("goes with")});
+  head.push_back(column("meaning"));
+  table.head(head);
   for (const ParameterResult& p : r.parameters) {
     Html where = place_drawing(place(p), p.at_bound);
     if (p.at_bound) where += markup(" <span class=\"flag\">on a bound</span>");
     if (!p.fitted) where = markup("<span class=\"note\">not searched</span>");
-    table.row({name_cell(escaped(p.name)),
-               text_cell(p.symbol),
-               number_cell(rounded(p.value, 4)),
-               text_cell(p.unit),
-               number_cell(p.fitted ? rounded(p.lower) : ""),
-               number_cell(p.fitted ? rounded(p.upper) : ""),
-               {.content = where},
-               text_cell(p.meaning)});
+    Cells cells = {name_cell(escaped(p.name)),
+                   text_cell(p.symbol),
+                   number_cell(rounded(p.value, 4)),
+                   text_cell(p.unit),
+                   number_cell(p.fitted ? rounded(p.lower) : ""),
+                   number_cell(p.fitted ? rounded(p.upper) : ""),
+                   {.content = where}};
+    if (posterior)
+      cells.insert(cells.end(), {number_cell(p.fitted ? interval_text(p.posterior) : ""), text_cell(p.posterior.verdict),
+                                 text_cell(partner_text(p.posterior))});
+    cells.push_back(text_cell(p.meaning));
+    table.row(cells);
   }
   return table.html();
 }
@@ -91,6 +101,7 @@ Html parameters(const Comparison& c) {
     out += element("summary", "", title);
     if (!r.summary.empty()) out += element("p", "note", escaped(r.summary));
     out += parameter_table(r);
+    if (r.posterior.simulations > 0) out += element("p", "note", escaped(what_posteriors_mean()));
     out += markup("</details>\n");
   }
   return out;

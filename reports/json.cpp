@@ -128,10 +128,24 @@ Json weight_history(const Columns& columns, const std::vector<WeightStep>& steps
 
 Json parameters(const std::vector<ParameterResult>& table) {
   Json out = Json::object();
-  for (const ParameterResult& p : table)
-    out[p.name] = {{"value", p.value},       {"unit", p.unit}, {"lower", p.lower},   {"upper", p.upper},    {"fitted", p.fitted},
-                   {"at_bound", p.at_bound}, {"log", p.log},   {"symbol", p.symbol}, {"meaning", p.meaning}};
+  for (const ParameterResult& p : table) {
+    const ParameterUncertainty& u = p.posterior;
+    Json& one = out[p.name];
+    one = {{"value", p.value},       {"unit", p.unit}, {"lower", p.lower},   {"upper", p.upper},    {"fitted", p.fitted},
+           {"at_bound", p.at_bound}, {"log", p.log},   {"symbol", p.symbol}, {"meaning", p.meaning}};
+    if (u.verdict.empty()) continue;
+    one["ci"] = {u.lower, u.upper};
+    one["median"] = u.median;
+    one["contraction"] = u.contraction;
+    one["verdict"] = u.verdict;
+    one["partner"] = u.partner;
+    one["correlation"] = u.correlation;
+  }
   return out;
+}
+
+Json posterior(const PosteriorFacts& p) {
+  return {{"effective_sample_size", p.effective}, {"points", p.sample.size()}, {"simulations", p.simulations}, {"blew_up", p.blew_up}};
 }
 
 // Names of the parameters that satisfy a condition.
@@ -206,6 +220,7 @@ std::string to_json(const Comparison& c) {
   Json models = Json::array();
   for (const FitResult& r : c.models) {
     models.push_back(model(c.columns, r));
+    if (r.posterior.simulations > 0) models.back()["posterior"] = posterior(r.posterior);
     add_skill(models.back(), r, c);
   }
   Json full = {

@@ -86,13 +86,14 @@ PaperTable weights(const Comparison& c) {
 
 PaperTable parameters(const Comparison& c) {
   PaperTable t{"parameters",
-               "Fitted parameters in physical units; * ended on a bound of the search. " + origin(c),
-               {"model", "parameter", "value", "unit", "lower", "upper"},
+               "Fitted parameters in physical units; * ended on a bound of the search. 95 %: of the posterior. " + origin(c),
+               {"model", "parameter", "value", "95 %", "unit", "lower", "upper"},
                {}};
   for (const FitResult& r : c.models)
     for (const ParameterResult& p : r.parameters)
       if (p.fitted)
-        t.rows.push_back({r.model, p.name, rounded(p.value, 4) + (p.at_bound ? " *" : ""), p.unit, rounded(p.lower), rounded(p.upper)});
+        t.rows.push_back({r.model, p.name, rounded(p.value, 4) + (p.at_bound ? " *" : ""), interval_text(p.posterior), p.unit,
+                          rounded(p.lower), rounded(p.upper)});
   return t;
 }
 

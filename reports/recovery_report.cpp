@@ -53,15 +53,6 @@ int rejected(const Recovery& r, std::size_t planted) {
   return n;
 }
 
-std::string table_text(const PaperTable& table, TextStyle style) {
-  std::vector<Align> align(table.head.size(), Align::right);
-  align.front() = Align::left;
-  TextTable t(align, style);
-  t.row(table.head, Paint::bold);
-  for (const auto& row : table.rows) t.row(row);
-  return style.unicode ? t.text() : ascii(t.text());
-}
-
 Json parameters(const std::string& name, const std::vector<double>& values) {
   Json out = Json::object();
   const ModelChoice model = parse_model(name);
@@ -71,6 +62,15 @@ Json parameters(const std::string& name, const std::vector<double>& values) {
 }
 
 }  // namespace
+
+std::string table_text(const PaperTable& table, TextStyle style) {
+  std::vector<Align> align(table.head.size(), Align::right);
+  align.front() = Align::left;
+  TextTable t(align, style);
+  t.row(table.head, Paint::bold);
+  for (const auto& row : table.rows) t.row(row);
+  return style.unicode ? t.text() : ascii(t.text());
+}
 
 PaperTable confusion_table(const Recovery& r, const std::string& caption) {
   PaperTable t{"confusion", caption, {"planted \\ ranked first"}, {}};
@@ -132,14 +132,7 @@ std::string to_json(const Recovery& r, const Settings& conditions) {
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-void write_recovery(const std::string& dir, const Recovery& r, const Settings& settings) {
-  check_run_directory(dir);
-  const fs::path root = dir, tables = root / "tables";
-  make_directory(tables.string());
-  const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
-  write(root / "config.toml", config_toml("recover", settings));
-  std::error_code no_such_file;
-  fs::remove(root / "recovery.json", no_such_file);
+void write_matrices(const std::string& dir, const Recovery& r, const Settings& settings) {
   std::string conditions;
   for (const auto& [name, value] : settings)
     if (name != "model" && name != "plant") conditions += fmt::format("{}{} {}", conditions.empty() ? "" : ", ", name, value);
@@ -150,9 +143,20 @@ void write_recovery(const std::string& dir, const Recovery& r, const Settings& s
                                 "among those that cannot be told from the best (model confidence set, 95 %); rejected: how often the model "
                                 "that made a recording was found not to explain it (p ≤ 0.05)" +
                                 end)}) {
-    write(tables / (t.name + ".md"), to_markdown(t));
-    write(tables / (t.name + ".tex"), to_latex(t));
+    write_file_atomically(dir + '/' + t.name + ".md", to_markdown(t));
+    write_file_atomically(dir + '/' + t.name + ".tex", to_latex(t));
   }
+}
+
+void write_recovery(const std::string& dir, const Recovery& r, const Settings& settings) {
+  check_run_directory(dir);
+  const fs::path root = dir, tables = root / "tables";
+  make_directory(tables.string());
+  const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
+  write(root / "config.toml", config_toml("recover", settings));
+  std::error_code no_such_file;
+  fs::remove(root / "recovery.json", no_such_file);
+  write_matrices(tables.string(), r, settings);
   write(tables / "cases.csv", recovery_csv(r));
   write(root / "recovery.json", to_json(r, settings));
 }

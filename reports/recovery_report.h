@@ -14,10 +14,14 @@
 namespace swarmfit {
 
 std::string recovery_text(const Recovery&, TextStyle);             // both matrices
+std::string table_text(const PaperTable&, TextStyle);              // aligned, without the caption
 std::string to_json(const Recovery&, const Settings& conditions);  // "swarmfit-recovery/1"
 std::string recovery_csv(const Recovery&);                         // one row per case and model: planted, seed, rank, model, score, ...
 PaperTable confusion_table(const Recovery&, const std::string& caption);   // "confusion"
 PaperTable confidence_table(const Recovery&, const std::string& caption);  // "confidence": how often in the best group
+
+// Both matrices as .md and .tex; the settings other than the models go into their captions.
+void write_matrices(const std::string& dir, const Recovery&, const Settings& settings);
 
 // Writes config.toml, tables/ and recovery.json, which comes last. Throws as write_run.
 void write_recovery(const std::string& dir, const Recovery&, const Settings& settings);

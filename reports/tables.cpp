@@ -130,14 +130,42 @@ std::string normalisation(const Comparison& c) {
 }
 
 std::string parameters(const Comparison& c) {
-  Csv csv = with_header({"model", "parameter", "value", "unit", "lower", "upper", "fitted", "at_bound", "meaning"});
+  Csv csv = with_header({"model", "parameter", "value", "unit", "lower", "upper", "fitted", "at_bound", "median", "ci_lower", "ci_upper",
+                         "contraction", "verdict", "partner", "correlation", "meaning"});
   for (const FitResult& r : c.models) {
     for (const ParameterResult& p : r.parameters) {
       csv.field(r.model).field(p.name).field(p.value).field(p.unit).field(p.lower).field(p.upper);
-      csv.field(p.fitted ? "true" : "false").field(p.at_bound ? "true" : "false").field(p.meaning).end();
+      csv.field(p.fitted ? "true" : "false").field(p.at_bound ? "true" : "false");
+      const ParameterUncertainty& u = p.posterior;
+      csv.field(u.median).field(u.lower).field(u.upper).field(u.contraction).field(u.verdict).field(u.partner).field(u.correlation);
+      csv.field(p.meaning).end();
     }
   }
   return csv.take();
+}
+
+// One row per point of a posterior's sample and parameter.
+std::string posterior(const Comparison& c) {
+  Csv csv = with_header({"model", "point", "weight", "parameter", "value", "unit"});
+  for (const FitResult& r : c.models) {
+    std::vector<const ParameterResult*> searched;
+    for (const ParameterResult& p : r.parameters)
+      if (p.fitted) searched.push_back(&p);
+    for (std::size_t k = 0; k < r.posterior.sample.size(); ++k)
+      for (std::size_t p = 0; p < searched.size(); ++p)
+        csv.field(r.model)
+            .field(static_cast<std::int64_t>(k + 1))
+            .field(r.posterior.weight[k])
+            .field(searched[p]->name)
+            .field(r.posterior.sample[k][p])
+            .field(searched[p]->unit)
+            .end();
+  }
+  return csv.take();
+}
+
+bool has_posterior(const Comparison& c) {
+  return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return r.posterior.simulations > 0; });
 }
 
 std::string sensitivity(const Comparison& c) {
@@ -209,6 +237,7 @@ std::vector<NamedTable> result_tables(const Comparison& c) {
       {"weights.csv", weights(c)}, {"normalisation.csv", normalisation(c)}, {"parameters.csv", parameters(c)},
       {"pdfs.csv", pdfs(c)},       {"convergence.csv", convergence(c)},     {"sensitivity.csv", sensitivity(c)},
       {"lags.csv", lags(c)}};
+  if (has_posterior(c)) out.push_back({"posterior.csv", posterior(c)});
   for (NamedTable& table : skill_tables(c)) out.push_back(std::move(table));
   return out;
 }

@@ -129,6 +129,24 @@ std::string panel_text(const Comparison& c, TextStyle style) {
   return '\n' + table.text();
 }
 
+// What the recording says about the parameters of every model that has a posterior.
+std::string posterior_text(const Comparison& c, TextStyle style) {
+  std::string out;
+  for (const FitResult& r : c.models) {
+    if (r.posterior.simulations == 0) continue;
+    TextTable table({Align::left, Align::right, Align::right, Align::right, Align::left, Align::left, Align::left}, style);
+    table.row({r.model, "best", "median", "95 %", "unit", "verdict", "goes with"}, Paint::bold);
+    for (const ParameterResult& p : r.parameters)
+      if (!p.posterior.verdict.empty())
+        table.row({p.name, rounded(p.value), rounded(p.posterior.median), interval_text(p.posterior), p.unit, p.posterior.verdict,
+                   partner_text(p.posterior)},
+                  p.posterior.verdict == "flat" ? Paint::dim : Paint::plain);
+    out += '\n' + table.text();
+  }
+  if (!out.empty()) out += paragraph(what_posteriors_mean(), " ");
+  return out;
+}
+
 bool any_on_bounds(const Comparison& c) {
   return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return !at_bounds(r).empty(); });
 }
@@ -159,6 +177,7 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += paragraph(drowned, " ");
   if (const std::string lags = lag_weights(c) + lags_measured(c); !lags.empty()) out += paragraph(lags, " ");
   out += panel_text(c, style);
+  out += posterior_text(c, style);
 
   out += bullets("In brackets: shown, but left out of the score", left_out(c, style), Paint::bold, style);
   out += bullets("Simulations that blew up (counted as the worst energy)", failures(c), Paint::warning, style);

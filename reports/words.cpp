@@ -208,6 +208,22 @@ std::string score_interval(const FitResult& r) {
   return std::isfinite(c.lower) ? fmt::format("{} .. {}", fixed(c.lower, 2), fixed(c.upper, 2)) : kUndefined;
 }
 
+std::string interval_text(const ParameterUncertainty& u) {
+  return u.verdict.empty() ? kUndefined : fmt::format("{} .. {}", rounded(u.lower), rounded(u.upper));
+}
+
+std::string partner_text(const ParameterUncertainty& u) {
+  constexpr double kWorthSaying = 0.5;
+  return std::abs(u.correlation) >= kWorthSaying ? fmt::format("{} ({})", u.partner, fixed(u.correlation, 2)) : std::string();
+}
+
+std::string what_posteriors_mean() {
+  return "95 %: of the posterior under a prior that is even between the bounds of the search. identified: the recording determines the "
+         "parameter; one-sided: the interval reaches a bound; flat: hardly narrower than the bounds. goes with: what else changes along "
+         "with it "
+         "(correlation).";
+}
+
 std::string group_letter(const FitResult& r) {
   const int group = r.certainty.group;
   return group > 0 ? std::string(1, static_cast<char>('a' + std::min(group, 26) - 1)) : std::string();

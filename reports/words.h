@@ -57,6 +57,12 @@ std::string score_interval(const FitResult&);
 // "a" for the best group, whose models cannot be told apart, "b" for the next; empty if unknown.
 std::string group_letter(const FitResult&);
 
+// "0.021 .. 0.034"; an en dash without a posterior.
+std::string interval_text(const ParameterUncertainty&);
+// "noise (-0.83)": the parameter with the strongest correlation, where that is 0.5 or more; empty otherwise.
+std::string partner_text(const ParameterUncertainty&);
+std::string what_posteriors_mean();
+
 // Names of the parameters that ended on a bound of their search.
 std::vector<std::string> at_bounds(const FitResult&);
 

@@ -232,8 +232,20 @@ TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
   EXPECT_THAT(content(dir_ / "bare/config.toml"), HasSubstr("resolution = \"none\""));
   EXPECT_NE(content(dir_ / "r/tables/cases.csv"), content(dir_ / "bare/tables/cases.csv"));
   expect_refused("recover -m bswarm", "fewer than two models");
+  expect_refused("recover --parameters -m bswarm,boids", "exactly one model");
   expect_refused("recover -m bswarm,boids --plant brownies", "brownies");
   expect_refused("recover -m bswarm,boids --set speed=3", "model.parameter=value");
+}
+
+TEST_F(Program, PowerPlantsInTheRecordingsOwnConditions) {
+  const std::string job = "power demo --frames 0:60 -m bswarm,boids --seeds 2 --max-evaluations 10 -q ";
+  const Result r = run(job + "--out p");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, AllOf(HasSubstr("A recording like this one"), HasSubstr("ranked before"), HasSubstr("of 2")));
+  ASSERT_EQ(run("power --config p/config.toml -q --out again").code, 0);
+  EXPECT_EQ(content(dir_ / "p/power.json"), content(dir_ / "again/power.json"));
+  expect_refused("power demo -m bswarm", "fewer than two models");
+  expect_refused("power demo demo -m bswarm,boids", "expected one recording");
 }
 
 TEST_F(Program, ProtocolSwitchesDefaultsAndFlagsWin) {

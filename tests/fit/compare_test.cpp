@@ -358,5 +358,24 @@ TEST(Budget, UnknownNameIsRefusedWithTheKnownOnes) {
   }
 }
 
+TEST(Compare, PosteriorIsBesideTheBestParameters) {
+  auto options = tiny({"brownian[interaction=none]"});
+  const Comparison plain = compare(test::planted_swarm(3), options);
+  options.posterior = true;
+  const FitResult fit = compare(test::planted_swarm(3), options).models.front();
+  EXPECT_EQ(fit.raw_energies, plain.models.front().raw_energies) << "asking for it changes nothing else";
+  EXPECT_EQ(plain.models.front().posterior.simulations, 0);
+  EXPECT_GT(fit.posterior.simulations, 1000);
+  EXPECT_EQ(fit.posterior.sample.size(), fit.posterior.weight.size());
+  for (const ParameterResult& p : fit.parameters) {
+    EXPECT_EQ(p.posterior.verdict.empty(), !p.fitted) << p.name;
+    if (!p.fitted) continue;
+    EXPECT_LT(p.posterior.lower, p.posterior.median);
+    EXPECT_LT(p.posterior.median, p.posterior.upper);
+    EXPECT_GE(p.posterior.lower, p.lower);
+    EXPECT_LE(p.posterior.upper, p.upper);
+  }
+}
+
 }  // namespace
 }  // namespace swarmfit

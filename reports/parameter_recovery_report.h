@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// A parameter recovery as text, JSON, CSV, Markdown and LaTeX.
+#pragma once
+
+#include <string>
+
+#include "fit/parameter_recovery.h"
+#include "reports/recovery_report.h"
+
+namespace swarmfit {
+
+PaperTable coverage_table(const ParameterRecovery&, const std::string& caption);  // "coverage": one row per parameter
+std::string parameter_recovery_text(const ParameterRecovery&, TextStyle);
+std::string parameter_cases_csv(const ParameterRecovery&);  // one row per recording and parameter
+std::string to_json(const ParameterRecovery&, const Settings& conditions);  // "swarmfit-parameter-recovery/1"
+
+// Writes config.toml, tables/ and recovery.json, which comes last. Throws as write_run.
+void write_parameter_recovery(const std::string& dir, const ParameterRecovery&, const Settings& settings);
+
+}  // namespace swarmfit
