@@ -41,7 +41,7 @@ struct FitArguments {
   int replicates = 0;
   int population = 0;
   bool common_dynamics = false;
-  bool posterior = false;
+  bool posterior = false, hold_out = false;
   bool resume = false;  // take up the checkpoint in `out`
 };
 

@@ -57,6 +57,10 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);
   app.add_option("--replicates", a.replicates, "simulations per candidate, instead of the budget's")->check(CLI::NonNegativeNumber);
   app.add_flag(
+      "--holdout", a.hold_out,
+      "fit the first half of the recording alone, and score every model on the second, too; between them the time in which the group "
+      "crosses itself is left out");
+  app.add_flag(
       "--posterior", a.posterior,
       "beside the best parameters, their posterior distribution: 95 % intervals, which parameters the recording determines at all, and "
       "a sample of it");

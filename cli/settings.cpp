@@ -196,6 +196,7 @@ CompareOptions compare_options(const FitArguments& a) {
   o.resolution = a.resolution == "recording";
   o.mean_weights = a.calibration == "mean";
   o.posterior = a.posterior;
+  o.hold_out = a.hold_out;
   return o;
 }
 
@@ -233,6 +234,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("arena", a.arena);
   positive("population", a.population);
   if (a.common_dynamics) out.emplace_back("common", "true");
+  if (a.hold_out) out.emplace_back("holdout", "true");
   if (a.posterior) out.emplace_back("posterior", "true");
   text("obs-noise", a.observation_error);
   out.emplace_back("error-limit", fmt::format("{}", a.error_limit));

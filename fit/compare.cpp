@@ -12,6 +12,7 @@
 #include "fit/certainty.h"
 #include "fit/facts.h"
 #include "fit/fit_result.h"
+#include "fit/hold_out.h"
 #include "fit/judge.h"
 #include "fit/sensitivity.h"
 #include "libtrack/error.h"
@@ -146,7 +147,8 @@ Budget budget_named(const std::string& name) {
 
 Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress, Journal* journal) {
   check_requests(options.requests, options.models);
-  Conditions conditions = make_conditions(recording, options.conditions);
+  const Halves parts = options.hold_out ? halves(recording) : Halves{};
+  Conditions conditions = make_conditions(options.hold_out ? parts.fitted : recording, options.conditions);
   conditions.metrics.lags = lags_for(conditions, options);
   const Target target(metric_samples(conditions.recording, conditions.metrics), options.binning);
 
@@ -179,6 +181,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   rank(result.models, laws);
   result.laws = options.laws;
   fill_certainty(result.models, laws, target, calibration.weighting(), options.budget.final_replicates);
+  if (options.hold_out) fill_held_out(result, parts, options, conditions.metrics.lags, calibration.weighting());
   judge.tell(result);
   result.weights = per_column(calibration.weighting().weights);
   result.p1 = per_column(calibration.weighting().p1);

@@ -33,6 +33,7 @@ struct CompareOptions {
   bool mean_weights = true;          // later passes search under the mean of all passes' weights; false: under the last, as published
   std::vector<std::string> common;   // parameters that were fitted once for all models (fit/common_dynamics.h); only reported
   int laws = 99;                     // recordings that each fitted model makes, to tell how sure its place is; 0: none
+  bool hold_out = false;             // fit the first half of the recording, and score on the second, too
   bool posterior = false;            // the posterior of every model's parameters, too
   double weight_tolerance = 0.005;   // the calibration has settled when no weight changes by more
 };

@@ -36,7 +36,7 @@ using Simulator = std::function<std::optional<Eigen::VectorXd>(const Point& x, c
 struct PosteriorOptions {
   int rounds = 5;
   int simulations = 360;  // per round
-  double kept = 0.3;      // share of the simulations in the box
+  double kept = 0.2;      // share of the simulations in the box
 };
 
 struct PosteriorRound {

@@ -151,6 +151,19 @@ struct Certainty {
   Energies own{};                             // mean raw energies of its own recordings: what a perfect model would have
 };
 
+// A model on the half of the recording that it was not fitted to (fit/hold_out.h), under the weights of the other half.
+struct HeldOut {
+  double score = NAN;
+  Energies raw{};
+  Certainty certainty{};
+};
+
+// Which frames were fitted, and which held out.
+struct HoldOutFacts {
+  bool used = false;
+  std::int64_t fitted_first = 0, fitted_last = 0, held_first = 0, held_last = 0;
+};
+
 // Everything about one model in a comparison (or the only one of a fit).
 struct FitResult {
   std::string model;  // canonical name with settings: "bswarm[noise=white]"
@@ -166,6 +179,7 @@ struct FitResult {
   Energies half_step_energies{};               // raw energies of the same parameters at half the time step, same number of replicates
   Sensitivity sensitivity;
   Certainty certainty;
+  HeldOut held_out{};
   std::vector<Energies> replicate_energies;                        // raw, one per final replicate
   PerColumn<Distribution> distributions{};                         // pooled final replicates, on the recording's axes
   PerColumn<double> mean_ratio{}, sd_ratio{}, outside_fraction{};  // simulation / recording
@@ -230,6 +244,7 @@ struct Comparison {
   std::vector<std::vector<std::string>> searched;  // names of the searched parameters, per named model
   std::vector<HistoryRow> history;
   SkillFacts skill;
+  HoldOutFacts hold_out;
   int laws = 0;                  // recordings made by each fitted model, behind FitResult::certainty; 0: none
   std::vector<LeftOut> without;  // per model by rank; empty for fewer than three
   PanelFacts panel;

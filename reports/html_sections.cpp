@@ -93,6 +93,7 @@ Html ranking(const Comparison& c) {
   HtmlTable table("Models by score, with their raw energies");
   Cells head = {column("rank", true),  column("model"),       column("score", true),
                 column("score, 95 %"), column("fit p", true), column("skill ± se", true)};
+  if (c.hold_out.used) head.insert(head.end(), {column("held out", true), column("gap", true)});
   metric_heads(c, head);
   head.push_back(column("tried", true));
   table.head(head);
@@ -107,15 +108,17 @@ Html ranking(const Comparison& c) {
     cells.push_back({.content = interval_drawing(r.score, r.certainty.lower, r.certainty.upper, scale.lower, scale.upper, k)});
     cells.push_back(number_cell(fixed(r.certainty.goodness_p, 2)));
     cells.push_back(number_cell(plus_minus(r.skill.value, r.skill.se, 2)));
+    if (c.hold_out.used) cells.insert(cells.end(), {number_cell(held_out_score(r)), number_cell(fixed(r.score - r.held_out.score, 3))});
     metric_columns(c, cells, [&](std::size_t m) { return fixed(r.raw_energies[m], 2); });
     cells.push_back(number_cell(counted(r.evaluations)));
     table.row(cells, r.rank == 1 ? "first" : "");
   }
-  Cells foot = {text_cell(""), name_cell(markup("weight in the score")), text_cell(""), text_cell(""), text_cell(""), text_cell("")};
+  Cells foot = {text_cell(""), name_cell(markup("weight in the score"))};
+  while (foot.size() < (c.hold_out.used ? 8U : 6U)) foot.push_back(text_cell(""));
   metric_columns(c, foot, [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 3) : kUndefined; });
   foot.push_back(text_cell(""));
   Html out = table.foot(foot).html();
-  for (const std::string& note : {what_ranks_mean(c), what_drowned_means(c)})
+  for (const std::string& note : {what_ranks_mean(c), c.hold_out.used ? what_held_out_means(c) : std::string(), what_drowned_means(c)})
     if (!note.empty()) out += element("p", "note", escaped(note));
   return out;
 }

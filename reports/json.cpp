@@ -144,6 +144,23 @@ Json parameters(const std::vector<ParameterResult>& table) {
   return out;
 }
 
+Json held_out(const Columns& columns, const FitResult& r) {
+  const Certainty& c = r.held_out.certainty;
+  return {{"score", r.held_out.score},
+          {"gap", r.score - r.held_out.score},
+          {"score_ci", {c.lower, c.upper}},
+          {"lead_ci", {c.lead_lower, c.lead_upper}},
+          {"group", c.group > 0 ? Json(c.group) : Json()},
+          {"set_p", c.set_p},
+          {"raw_energies", per_column(columns, r.held_out.raw)},
+          {"own_energies", per_column(columns, c.own)}};
+}
+
+Json hold_out(const HoldOutFacts& h) {
+  if (!h.used) return {};
+  return {{"fitted", {h.fitted_first, h.fitted_last}}, {"held_out", {h.held_first, h.held_last}}};
+}
+
 Json posterior(const PosteriorFacts& p) {
   return {{"effective_sample_size", p.effective}, {"points", p.sample.size()}, {"simulations", p.simulations}, {"blew_up", p.blew_up}};
 }
@@ -220,6 +237,7 @@ std::string to_json(const Comparison& c) {
   Json models = Json::array();
   for (const FitResult& r : c.models) {
     models.push_back(model(c.columns, r));
+    if (c.hold_out.used) models.back()["held_out"] = held_out(c.columns, r);
     if (r.posterior.simulations > 0) models.back()["posterior"] = posterior(r.posterior);
     add_skill(models.back(), r, c);
   }
@@ -251,6 +269,7 @@ std::string to_json(const Comparison& c) {
       {"p2", per_column(c.columns, c.p2)},
       {"resolution", per_column(c.columns, c.resolution)},
       {"laws", c.laws},
+      {"hold_out", hold_out(c.hold_out)},
       {"weights_converged", c.weights_converged},
       {"calibration", c.mean_weights ? "mean" : "last"},
       {"weight_history", weight_history(c.columns, c.weight_history)},

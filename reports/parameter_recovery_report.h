@@ -11,7 +11,7 @@ namespace swarmfit {
 
 PaperTable coverage_table(const ParameterRecovery&, const std::string& caption);  // "coverage": one row per parameter
 std::string parameter_recovery_text(const ParameterRecovery&, TextStyle);
-std::string parameter_cases_csv(const ParameterRecovery&);  // one row per recording and parameter
+std::string parameter_cases_csv(const ParameterRecovery&);                  // one row per recording and parameter
 std::string to_json(const ParameterRecovery&, const Settings& conditions);  // "swarmfit-parameter-recovery/1"
 
 // Writes config.toml, tables/ and recovery.json, which comes last. Throws as write_run.

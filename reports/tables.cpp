@@ -44,8 +44,27 @@ Csv with_header(std::initializer_list<std::string_view> names) {
 std::string rank_text(int rank) { return rank > 0 ? std::to_string(rank) : std::string(); }
 
 std::string ranking(const Comparison& c) {
-  Csv csv = with_header({"rank", "model", "score", "score_se", "score_lower", "score_upper", "lead_lower", "lead_upper", "group", "set_p",
-                         "gof_p", "evaluations", "simulations", "failed_simulations", "failed_final", "n_sub", "infeasible_avoidance",
+  Csv csv = with_header({"rank",
+                         "model",
+                         "score",
+                         "score_se",
+                         "score_lower",
+                         "score_upper",
+                         "lead_lower",
+                         "lead_upper",
+                         "group",
+                         "set_p",
+                         "gof_p",
+                         "held_out_score",
+                         "held_out_lead_lower",
+                         "held_out_lead_upper",
+                         "held_out_group",
+                         "evaluations",
+                         "simulations",
+                         "failed_simulations",
+                         "failed_final",
+                         "n_sub",
+                         "infeasible_avoidance",
                          "stop_reason"});
   for (const FitResult& r : c.models) {
     csv.field(rank_text(r.rank)).field(r.model).field(r.score).field(r.score_se);
@@ -55,7 +74,12 @@ std::string ranking(const Comparison& c) {
         .field(r.certainty.lead_upper)
         .field(rank_text(r.certainty.group))
         .field(r.certainty.set_p);
-    csv.field(r.certainty.goodness_p).field(r.evaluations).field(r.simulations);
+    csv.field(r.certainty.goodness_p).field(r.held_out.score);
+    csv.field(r.held_out.certainty.lead_lower)
+        .field(r.held_out.certainty.lead_upper)
+        .field(rank_text(r.held_out.certainty.group))
+        .field(r.evaluations)
+        .field(r.simulations);
     csv.field(r.failed_simulations).field(r.failed_final).field(std::int64_t{r.substeps}).field(r.infeasible_avoidance);
     csv.field(r.stop_reason).end();
   }

@@ -46,12 +46,22 @@ std::string rank_and_group(const FitResult& r) { return r.rank > 0 ? fmt::format
 Paint paint_of(const FitResult& r) { return r.rank == 1 ? Paint::good : Paint::plain; }
 
 TextTable ranking_table(const Comparison& c, TextStyle style) {
-  TextTable table({Align::right, Align::left, Align::right, Align::right, Align::right, Align::right}, style);
-  table.row({"rank", "model", "score", "95 %", "fit p", "skill"}, Paint::bold);
-  for (const FitResult& r : c.models)
-    table.row({rank_and_group(r), r.model + (at_bounds(r).empty() ? "" : " *"), fixed(r.score, 3), score_interval(r),
-               fixed(r.certainty.goodness_p, 2), fixed(r.skill.value, 2)},
-              paint_of(r));
+  std::vector<std::string> head = {"rank", "model", "score", "95 %", "fit p", "skill"};
+  if (c.hold_out.used) head.insert(head.end(), {"held out", "gap"});
+  std::vector<Align> align(head.size(), Align::right);
+  align[1] = Align::left;
+  TextTable table(align, style);
+  table.row(head, Paint::bold);
+  for (const FitResult& r : c.models) {
+    std::vector<std::string> cells = {rank_and_group(r),
+                                      r.model + (at_bounds(r).empty() ? "" : " *"),
+                                      fixed(r.score, 3),
+                                      score_interval(r),
+                                      fixed(r.certainty.goodness_p, 2),
+                                      fixed(r.skill.value, 2)};
+    if (c.hold_out.used) cells.insert(cells.end(), {held_out_score(r), fixed(r.score - r.held_out.score, 3)});
+    table.row(cells, paint_of(r));
+  }
   return table;
 }
 
@@ -170,6 +180,7 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   out += ranking_table(c, style).text();
   if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
   if (const std::string ranks = what_ranks_mean(c); !ranks.empty()) out += paragraph(ranks, " ");
+  if (c.hold_out.used) out += paragraph(what_held_out_means(c), " ");
   out += finite_skill(c) ? " skill: 1 as alike as the recording is to itself, 0 no better than its surrogates\n" : "";
 
   out += energy_tables(c, style);

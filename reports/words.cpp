@@ -51,6 +51,14 @@ std::string none_explains(const std::vector<const FitResult*>& scored) {
   return scored.size() == 1 ? " It does not explain the recording." : " None of these models explains the recording.";
 }
 
+// Who is first where nobody was fitted, if that is another.
+std::string first_elsewhere(const std::vector<const FitResult*>& scored) {
+  const auto best = std::max_element(scored.begin(), scored.end(),
+                                     [](const FitResult* a, const FitResult* b) { return a->held_out.score < b->held_out.score; });
+  if (!std::isfinite((*best)->held_out.score) || *best == scored.front()) return {};
+  return fmt::format("On the half that was held out {} has the highest score.", (*best)->model);
+}
+
 std::string join(const std::vector<std::string>& sentences) {
   std::string out;
   for (const auto& s : sentences)
@@ -70,7 +78,7 @@ Headline tied(const Comparison& c, const std::vector<std::string>& together, con
           fmt::format("{} cannot be told apart with this recording and budget.{}", enumerate(together), none_explains(scored)),
           join({fmt::format("{} has the highest score, but leads {} by only {}, no more than chance does ({}).", first.model, second.model,
                             fixed(first.score - second.score, 3), p_text(second.certainty.set_p, c.laws)),
-                goodness(c, first), main_misfit(c, first)})};
+                goodness(c, first), first_elsewhere(scored), main_misfit(c, first)})};
 }
 
 Headline ranked(const Comparison& c, const std::vector<const FitResult*>& scored) {
@@ -79,7 +87,7 @@ Headline ranked(const Comparison& c, const std::vector<const FitResult*>& scored
   return {known ? Verdict::clear : Verdict::open, fmt::format("{} moves most like the recording.{}", first.model, none_explains(scored)),
           join({fmt::format("It leads {} by {} in score ({}).", second.model, fixed(first.score - second.score, 3),
                             known ? p_text(second.certainty.set_p, c.laws) : "it cannot be told how sure that is"),
-                goodness(c, first), main_misfit(c, first)})};
+                goodness(c, first), first_elsewhere(scored), main_misfit(c, first)})};
 }
 
 // "lag 8 (0.08 s)"
@@ -91,6 +99,8 @@ std::string power(const std::string& base, int exponent) {
   if (exponent == 3) return base + "³";
   return base + '^' + std::to_string(exponent);
 }
+
+std::string letter_of(int group) { return group > 0 ? std::string(1, static_cast<char>('a' + std::min(group, 26) - 1)) : std::string(); }
 
 }  // namespace
 
@@ -224,9 +234,17 @@ std::string what_posteriors_mean() {
          "(correlation).";
 }
 
-std::string group_letter(const FitResult& r) {
-  const int group = r.certainty.group;
-  return group > 0 ? std::string(1, static_cast<char>('a' + std::min(group, 26) - 1)) : std::string();
+std::string group_letter(const FitResult& r) { return letter_of(r.certainty.group); }
+
+std::string held_out_score(const FitResult& r) {
+  const std::string letter = letter_of(r.held_out.certainty.group);
+  return fixed(r.held_out.score, 3) + (letter.empty() ? "" : ' ' + letter);
+}
+
+std::string what_held_out_means(const Comparison& c) {
+  const HoldOutFacts& h = c.hold_out;
+  return fmt::format("held out: models and weights are of frames {} to {}, these scores of frames {} to {}; gap: what a score loses there.",
+                     h.fitted_first, h.fitted_last, h.held_first, h.held_last);
 }
 
 std::string printable(std::string_view text) {

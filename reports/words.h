@@ -54,6 +54,9 @@ std::string panel_unit(const PanelItem&, const std::string& length_unit);
 
 // "0.87 .. 0.95", the 95 % interval of the score over recordings; an en dash if unknown.
 std::string score_interval(const FitResult&);
+// "0.731 a": the score on the half that was not fitted, and the group there.
+std::string held_out_score(const FitResult&);
+std::string what_held_out_means(const Comparison&);
 // "a" for the best group, whose models cannot be told apart, "b" for the next; empty if unknown.
 std::string group_letter(const FitResult&);
 

@@ -45,6 +45,21 @@ TEST(RankingText, FitsAHundredColumns) {
   EXPECT_LE(widest(ranking_text(sample_comparison(), {.colour = false, .unicode = false})), 100u);
 }
 
+TEST(RankingText, ShowsTheHeldOutHalfAndPosteriorsWhereThereAreSome) {
+  Comparison c = sample_comparison();
+  EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("held out")));
+  EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("verdict")));
+  c.hold_out = {true, 1, 240, 261, 500};
+  for (FitResult& r : c.models) r.held_out.score = r.score - 0.2;
+  c.models[0].posterior.simulations = 1800;
+  c.models[0].parameters[0].posterior = {0.012, 0.01, 0.0141, 0.9, "identified", "chi_att", -0.83};
+  const std::string text = ranking_text(c, {});
+  EXPECT_THAT(text, HasSubstr("0.712  0.200"));
+  EXPECT_THAT(text, HasSubstr("0.0100 .. 0.0141"));
+  EXPECT_THAT(text, HasSubstr("identified  chi_att (-0.83)"));
+  EXPECT_LE(widest(text), 100u);
+}
+
 TEST(RankingText, PlainTextIsAscii) { EXPECT_TRUE(is_ascii(ranking_text(sample_comparison(), {.colour = false, .unicode = false}))); }
 
 TEST(RankingText, ColourOnlyWhenAsked) {

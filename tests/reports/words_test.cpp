@@ -52,6 +52,19 @@ TEST(Headline, SaysThatNoModelExplainsTheRecording) {
   EXPECT_THAT(headline(c).sentence, HasSubstr("It does not explain the recording."));
 }
 
+TEST(Headline, SaysWhoIsFirstWhereNobodyWasFitted) {
+  Comparison c = in_groups({1, 2});
+  c.hold_out = {true, 1, 240, 261, 500};
+  c.models[0].held_out.score = 0.4;
+  c.models[1].held_out.score = 0.3;
+  EXPECT_THAT(headline(c).detail, Not(HasSubstr("held out")));
+  c.models[1].held_out.score = 0.5;
+  c.models[1].held_out.certainty.group = 1;
+  EXPECT_THAT(headline(c).detail, HasSubstr("On the half that was held out b has the highest score."));
+  EXPECT_EQ(held_out_score(c.models[1]), "0.500 a");
+  EXPECT_THAT(what_held_out_means(c), HasSubstr("frames 1 to 240, these scores of frames 261 to 500"));
+}
+
 TEST(Headline, LettersAndIntervals) {
   const Comparison c = in_groups({1, 2, 0});
   EXPECT_EQ(group_letter(c.models[0]) + group_letter(c.models[1]) + group_letter(c.models[2]), "ab");

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "fit/hold_out.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "libtrack/error.h"
+#include "tests/fit/planted.h"
+
+namespace swarmfit {
+namespace {
+
+Tracks film(std::int64_t frames) {
+  auto o = test::small_swarm(3);
+  o.frames = frames;
+  return plant(parse_model("bswarm"), scene_parameters(parse_model("bswarm"), test::midge_parameters()), o);
+}
+
+TEST(Halves, AreEquallyLongAndApartByTheTimeOfTheSwarm) {
+  const Tracks recording = film(300);
+  const Halves h = halves(recording);
+  const auto length = [](const Tracks& t) { return t.frames().back().number - t.frames().front().number + 1; };
+  EXPECT_EQ(length(h.fitted), length(h.held_out));
+  EXPECT_EQ(h.fitted.frames().front().number, recording.frames().front().number);
+  EXPECT_EQ(h.held_out.frames().back().number, recording.frames().back().number);
+  const auto apart = h.held_out.frames().front().number - h.fitted.frames().back().number - 1;
+  EXPECT_GE(static_cast<double>(apart) * recording.dt(), natural_scales(recording).time());
+  EXPECT_LT(static_cast<double>(apart) * recording.dt(), natural_scales(recording).time() + 2 * recording.dt());
+  EXPECT_THROW(halves(film(80)), InputError);
+}
+
+CompareOptions tiny() {
+  CompareOptions o;
+  o.models = {parse_model("bswarm"), parse_model("boids")};
+  o.budget = {"tiny", {8, 6, 2}, {4, 3, 3}, 4, 3, 3};
+  o.laws = 39;
+  return o;
+}
+
+TEST(HoldOut, FitsTheFirstHalfAndScoresTheSecond) {
+  const Tracks recording = film(300);
+  auto options = tiny();
+  options.hold_out = true;
+  const Comparison held = compare(recording, options);
+  ASSERT_TRUE(held.hold_out.used);
+  options.hold_out = false;
+  const Comparison half = compare(halves(recording).fitted, options);
+  ASSERT_EQ(held.models.size(), half.models.size());
+  for (std::size_t m = 0; m < half.models.size(); ++m) EXPECT_EQ(held.models[m].raw_energies, half.models[m].raw_energies) << m;
+  EXPECT_FALSE(half.hold_out.used);
+  EXPECT_TRUE(std::isnan(half.models[0].held_out.score));
+
+  // By hand: the fitted parameters under the other half's own conditions, scored with the weights of the first.
+  const Halves parts = halves(recording);
+  Conditions conditions = make_conditions(parts.held_out, options.conditions);
+  conditions.metrics.lags = {1};
+  const Target target(metric_samples(conditions.recording, conditions.metrics), options.binning);
+  const Objective objective(parse_model("bswarm"), conditions, target);
+  const auto& fit = held.models[0];
+  ASSERT_EQ(fit.model, "bswarm");
+  const auto raw =
+      objective.evaluate(parameter_values(parse_model("bswarm"), fit), replicate_seeds({options.seed}, Stream::final_seeds, 3)).raw;
+  EXPECT_EQ(fit.held_out.raw, raw);
+  double cost = -1;
+  for (std::size_t j = 0; j < kMetrics; ++j)
+    if (held.weights[j] > 0 && held.p2[j] > 0) cost += held.weights[j] * (raw[j] - held.p1[j]) / held.p2[j];
+  EXPECT_NEAR(fit.held_out.score, -cost, 1e-12);
+  EXPECT_EQ(held.models[1].held_out.certainty.group, 2) << "boids is found out on either half";
+  EXPECT_GT(held.models[1].held_out.certainty.lead_lower, 0);
+}
+
+}  // namespace
+}  // namespace swarmfit
