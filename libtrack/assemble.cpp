@@ -16,9 +16,9 @@
 namespace swarmfit {
 namespace {
 
-constexpr std::array kPosition = {Column::x, Column::y, Column::z};
-constexpr std::array kVelocity = {Column::vx, Column::vy, Column::vz};
-constexpr std::array kAcceleration = {Column::ax, Column::ay, Column::az};
+constexpr std::array kPosition = {FileColumn::x, FileColumn::y, FileColumn::z};
+constexpr std::array kVelocity = {FileColumn::vx, FileColumn::vy, FileColumn::vz};
+constexpr std::array kAcceleration = {FileColumn::ax, FileColumn::ay, FileColumn::az};
 
 std::string plural(std::size_t n, std::string_view one, std::string_view many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
 
@@ -33,7 +33,7 @@ bool natural_order(const std::string& a, const std::string& b) {
 // The work of assemble(), in the order of its member functions.
 class Assembly {
  public:
-  Assembly(RawTable& table, const ReadOptions& options) : table_(table), options_(options), dims_(table.has(Column::z) ? 3 : 2) {}
+  Assembly(RawTable& table, const ReadOptions& options) : table_(table), options_(options), dims_(table.has(FileColumn::z) ? 3 : 2) {}
 
   Tracks run(std::string sha256) {
     check_columns();
@@ -54,28 +54,30 @@ class Assembly {
   }
 
  private:
-  bool has(Column c) const { return table_.has(c); }
+  bool has(FileColumn c) const { return table_.has(c); }
   [[noreturn]] void fail(const std::string& what) const { throw InputError(table_.file + ": " + what); }
   void note(std::string text) { table_.notes.push_back(std::move(text)); }
 
   // A vector is used only when all its components are there.
-  bool complete(const std::array<Column, 3>& vector) const { return has(vector[0]) && has(vector[1]) && (dims_ == 2 || has(vector[2])); }
+  bool complete(const std::array<FileColumn, 3>& vector) const {
+    return has(vector[0]) && has(vector[1]) && (dims_ == 2 || has(vector[2]));
+  }
 
   void check_columns() {
     if (table_.track.empty()) fail("there are no rows; expected at least one");
-    if (!has(Column::frame) && !has(Column::t)) fail("there is neither a frame nor a time column; expected frame or t");
+    if (!has(FileColumn::frame) && !has(FileColumn::t)) fail("there is neither a frame nor a time column; expected frame or t");
     note_if_incomplete(kVelocity, "velocity");
     note_if_incomplete(kAcceleration, "acceleration");
   }
 
-  void note_if_incomplete(const std::array<Column, 3>& vector, std::string_view name) {
+  void note_if_incomplete(const std::array<FileColumn, 3>& vector, std::string_view name) {
     const bool some = has(vector[0]) || has(vector[1]) || has(vector[2]);
     if (some && !complete(vector)) note(fmt::format("the recorded {} lacks a component and was left out", name));
   }
 
   // Frame rate and unit come from the file or from the user; both are asked for at once.
   void demand_flags() const {
-    const bool rate = options_.fps || table_.dt > 0 || has(Column::t);
+    const bool rate = options_.fps || table_.dt > 0 || has(FileColumn::t);
     const bool unit = !options_.unit.empty() || !table_.unit.empty();
     if (!rate && !unit) fail("neither frame rate nor length unit is in the file; expected both flags, for example --fps 25 --unit m");
     if (!rate) fail("the frame rate is not in the file; expected the flag --fps, for example --fps 25");
@@ -136,7 +138,7 @@ class Assembly {
   }
 
   void sort_each() {
-    const auto& key = has(Column::frame) ? table_[Column::frame] : table_[Column::t];
+    const auto& key = has(FileColumn::frame) ? table_[FileColumn::frame] : table_[FileColumn::t];
     std::size_t backwards = 0, place = 0;
     for (std::size_t k = 0; k + 1 < first_.size(); ++k) {
       const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(first_[k]),
@@ -153,7 +155,7 @@ class Assembly {
                        plural(backwards, "place", "places"), table_.place(place)));
   }
 
-  std::vector<double> ordered(Column c) const {
+  std::vector<double> ordered(FileColumn c) const {
     std::vector<double> out;
     out.reserve(order_.size());
     for (const auto row : order_) out.push_back(table_[c][row]);
@@ -162,9 +164,9 @@ class Assembly {
 
   void number_frames() {
     const double stated = table_.dt > 0 ? table_.dt : options_.fps ? 1 / *options_.fps : 0;
-    if (!has(Column::t)) return use_frames(stated, table_.t0);
-    const auto time = ordered(Column::t);
-    FrameClock clock = has(Column::frame) ? fit_known_frames(time, ordered(Column::frame)) : fit_frame_clock(time, first_);
+    if (!has(FileColumn::t)) return use_frames(stated, table_.t0);
+    const auto time = ordered(FileColumn::t);
+    FrameClock clock = has(FileColumn::frame) ? fit_known_frames(time, ordered(FileColumn::frame)) : fit_frame_clock(time, first_);
     if (clock.dt == 0 && stated > 0) {  // one single moment: the file cannot contradict
       for (const double t : time) frame_.push_back(std::llround((t - table_.t0) / stated));
       dt_ = stated;
@@ -180,14 +182,14 @@ class Assembly {
     if (clock.deviation > 1e-6 * clock.dt)
       note(fmt::format("time stamps were binned to the frame interval {:.9g} s; the largest deviation is {:.3g} s ({:.2g} of it)", clock.dt,
                        clock.deviation, clock.deviation / clock.dt));
-    if (has(Column::frame) && table_.dt > 0) return use_frames(table_.dt, table_.t0);
+    if (has(FileColumn::frame) && table_.dt > 0) return use_frames(table_.dt, table_.t0);
     dt_ = clock.dt;
     t0_ = clock.t0;
     frame_ = std::move(clock.frame);
   }
 
   void use_frames(double dt, double t0) {
-    for (const auto row : order_) frame_.push_back(static_cast<std::int64_t>(table_[Column::frame][row]));
+    for (const auto row : order_) frame_.push_back(static_cast<std::int64_t>(table_[FileColumn::frame][row]));
     dt_ = dt;
     t0_ = t0;
   }
@@ -274,7 +276,7 @@ class Assembly {
     return meta;
   }
 
-  Rows vectors(const std::array<Column, 3>& from) {
+  Rows vectors(const std::array<FileColumn, 3>& from) {
     Rows out(static_cast<Index>(order_.size()), 3);
     for (int axis = 0; axis < 3; ++axis) {
       if (axis >= dims_) {
@@ -310,7 +312,7 @@ class Assembly {
   TrackColumns gather() {
     TrackColumns columns;
     columns.episodes = std::move(table_.episodes);
-    if (has(Column::kind))
+    if (has(FileColumn::kind))
       for (const auto row : order_) columns.kind.push_back(kind(row));
     const bool velocity = complete(kVelocity), acceleration = complete(kAcceleration);
     columns.pos = vectors(kPosition);
@@ -323,7 +325,7 @@ class Assembly {
   }
 
   std::uint8_t kind(std::uint32_t row) const {
-    const double value = table_[Column::kind][row];
+    const double value = table_[FileColumn::kind][row];
     if (value >= 0 && value <= 255 && value == std::floor(value)) return static_cast<std::uint8_t>(value);
     throw InputError(fmt::format("{}: kind {} is not allowed; expected an integer from 0 to 255", table_.place(row), value));
   }

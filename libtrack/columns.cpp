@@ -15,113 +15,115 @@ namespace {
 
 struct Name {
   std::string_view name;
-  Column column;
+  FileColumn column;
 };
 
-constexpr std::array kNames = {Name{"id", Column::id},    Name{"frame", Column::frame}, Name{"t", Column::t},   Name{"x", Column::x},
-                               Name{"y", Column::y},      Name{"z", Column::z},         Name{"vx", Column::vx}, Name{"vy", Column::vy},
-                               Name{"vz", Column::vz},    Name{"ax", Column::ax},       Name{"ay", Column::ay}, Name{"az", Column::az},
-                               Name{"kind", Column::kind}};
+constexpr std::array kNames = {Name{"id", FileColumn::id},    Name{"frame", FileColumn::frame}, Name{"t", FileColumn::t},
+                               Name{"x", FileColumn::x},      Name{"y", FileColumn::y},         Name{"z", FileColumn::z},
+                               Name{"vx", FileColumn::vx},    Name{"vy", FileColumn::vy},       Name{"vz", FileColumn::vz},
+                               Name{"ax", FileColumn::ax},    Name{"ay", FileColumn::ay},       Name{"az", FileColumn::az},
+                               Name{"kind", FileColumn::kind}};
 
 // Header names found in the wild, in lower case with '_' for any separator.
 constexpr std::array kAliases = {
-    Name{"particle", Column::id},
-    Name{"particle_id", Column::id},
-    Name{"track", Column::id},
-    Name{"track_id", Column::id},
-    Name{"trackid", Column::id},
-    Name{"traj_id", Column::id},
-    Name{"trajectory", Column::id},
-    Name{"trajectory_id", Column::id},
-    Name{"object", Column::id},
-    Name{"object_id", Column::id},
-    Name{"objectid", Column::id},
-    Name{"individual", Column::id},
-    Name{"individual_id", Column::id},
-    Name{"individual_local_identifier", Column::id},
-    Name{"animal", Column::id},
-    Name{"animal_id", Column::id},
-    Name{"agent", Column::id},
-    Name{"agent_id", Column::id},
-    Name{"bird", Column::id},
-    Name{"bird_id", Column::id},
-    Name{"fish", Column::id},
-    Name{"fish_id", Column::id},
-    Name{"person", Column::id},
-    Name{"person_id", Column::id},
-    Name{"persid", Column::id},
-    Name{"pedestrian", Column::id},
-    Name{"ped_id", Column::id},
-    Name{"identity", Column::id},
-    Name{"tag_id", Column::id},
-    Name{"frame_id", Column::frame},
-    Name{"frame_number", Column::frame},
-    Name{"frame_nr", Column::frame},
-    Name{"frame_no", Column::frame},
-    Name{"frame_idx", Column::frame},
-    Name{"frame_index", Column::frame},
-    Name{"framenumber", Column::frame},
-    Name{"fr", Column::frame},
-    Name{"time", Column::t},
-    Name{"time_s", Column::t},
-    Name{"time_sec", Column::t},
-    Name{"timestamp", Column::t},
-    Name{"datetime", Column::t},
-    Name{"date_time", Column::t},
-    Name{"seconds", Column::t},
-    Name{"sec", Column::t},
-    Name{"position_t", Column::t},
-    Name{"date", Column::date},
-    Name{"pos_x", Column::x},
-    Name{"pos_y", Column::y},
-    Name{"pos_z", Column::z},
-    Name{"x_pos", Column::x},
-    Name{"y_pos", Column::y},
-    Name{"z_pos", Column::z},
-    Name{"xpos", Column::x},
-    Name{"ypos", Column::y},
-    Name{"zpos", Column::z},
-    Name{"posx", Column::x},
-    Name{"posy", Column::y},
-    Name{"posz", Column::z},
-    Name{"position_x", Column::x},
-    Name{"position_y", Column::y},
-    Name{"position_z", Column::z},
-    Name{"easting", Column::x},
-    Name{"northing", Column::y},
-    Name{"utm_easting", Column::x},
-    Name{"utm_northing", Column::y},
-    Name{"utm_x", Column::x},
-    Name{"utm_y", Column::y},
-    Name{"v_x", Column::vx},
-    Name{"v_y", Column::vy},
-    Name{"v_z", Column::vz},
-    Name{"vel_x", Column::vx},
-    Name{"vel_y", Column::vy},
-    Name{"vel_z", Column::vz},
-    Name{"velocity_x", Column::vx},
-    Name{"velocity_y", Column::vy},
-    Name{"velocity_z", Column::vz},
-    Name{"a_x", Column::ax},
-    Name{"a_y", Column::ay},
-    Name{"a_z", Column::az},
-    Name{"acc_x", Column::ax},
-    Name{"acc_y", Column::ay},
-    Name{"acc_z", Column::az},
-    Name{"acceleration_x", Column::ax},
-    Name{"acceleration_y", Column::ay},
-    Name{"acceleration_z", Column::az},
+    Name{"particle", FileColumn::id},
+    Name{"particle_id", FileColumn::id},
+    Name{"track", FileColumn::id},
+    Name{"track_id", FileColumn::id},
+    Name{"trackid", FileColumn::id},
+    Name{"traj_id", FileColumn::id},
+    Name{"trajectory", FileColumn::id},
+    Name{"trajectory_id", FileColumn::id},
+    Name{"object", FileColumn::id},
+    Name{"object_id", FileColumn::id},
+    Name{"objectid", FileColumn::id},
+    Name{"individual", FileColumn::id},
+    Name{"individual_id", FileColumn::id},
+    Name{"individual_local_identifier", FileColumn::id},
+    Name{"animal", FileColumn::id},
+    Name{"animal_id", FileColumn::id},
+    Name{"agent", FileColumn::id},
+    Name{"agent_id", FileColumn::id},
+    Name{"bird", FileColumn::id},
+    Name{"bird_id", FileColumn::id},
+    Name{"fish", FileColumn::id},
+    Name{"fish_id", FileColumn::id},
+    Name{"person", FileColumn::id},
+    Name{"person_id", FileColumn::id},
+    Name{"persid", FileColumn::id},
+    Name{"pedestrian", FileColumn::id},
+    Name{"ped_id", FileColumn::id},
+    Name{"identity", FileColumn::id},
+    Name{"tag_id", FileColumn::id},
+    Name{"frame_id", FileColumn::frame},
+    Name{"frame_number", FileColumn::frame},
+    Name{"frame_nr", FileColumn::frame},
+    Name{"frame_no", FileColumn::frame},
+    Name{"frame_idx", FileColumn::frame},
+    Name{"frame_index", FileColumn::frame},
+    Name{"framenumber", FileColumn::frame},
+    Name{"fr", FileColumn::frame},
+    Name{"time", FileColumn::t},
+    Name{"time_s", FileColumn::t},
+    Name{"time_sec", FileColumn::t},
+    Name{"timestamp", FileColumn::t},
+    Name{"datetime", FileColumn::t},
+    Name{"date_time", FileColumn::t},
+    Name{"seconds", FileColumn::t},
+    Name{"sec", FileColumn::t},
+    Name{"position_t", FileColumn::t},
+    Name{"date", FileColumn::date},
+    Name{"pos_x", FileColumn::x},
+    Name{"pos_y", FileColumn::y},
+    Name{"pos_z", FileColumn::z},
+    Name{"x_pos", FileColumn::x},
+    Name{"y_pos", FileColumn::y},
+    Name{"z_pos", FileColumn::z},
+    Name{"xpos", FileColumn::x},
+    Name{"ypos", FileColumn::y},
+    Name{"zpos", FileColumn::z},
+    Name{"posx", FileColumn::x},
+    Name{"posy", FileColumn::y},
+    Name{"posz", FileColumn::z},
+    Name{"position_x", FileColumn::x},
+    Name{"position_y", FileColumn::y},
+    Name{"position_z", FileColumn::z},
+    Name{"easting", FileColumn::x},
+    Name{"northing", FileColumn::y},
+    Name{"utm_easting", FileColumn::x},
+    Name{"utm_northing", FileColumn::y},
+    Name{"utm_x", FileColumn::x},
+    Name{"utm_y", FileColumn::y},
+    Name{"v_x", FileColumn::vx},
+    Name{"v_y", FileColumn::vy},
+    Name{"v_z", FileColumn::vz},
+    Name{"vel_x", FileColumn::vx},
+    Name{"vel_y", FileColumn::vy},
+    Name{"vel_z", FileColumn::vz},
+    Name{"velocity_x", FileColumn::vx},
+    Name{"velocity_y", FileColumn::vy},
+    Name{"velocity_z", FileColumn::vz},
+    Name{"a_x", FileColumn::ax},
+    Name{"a_y", FileColumn::ay},
+    Name{"a_z", FileColumn::az},
+    Name{"acc_x", FileColumn::ax},
+    Name{"acc_y", FileColumn::ay},
+    Name{"acc_z", FileColumn::az},
+    Name{"acceleration_x", FileColumn::ax},
+    Name{"acceleration_y", FileColumn::ay},
+    Name{"acceleration_z", FileColumn::az},
 };
 
 // Geographic coordinates are recognised only to be refused with advice.
-constexpr std::array kDegrees = {Name{"lon", Column::x},           Name{"long", Column::x},          Name{"lng", Column::x},
-                                 Name{"longitude", Column::x},     Name{"gps_lon", Column::x},       Name{"gps_long", Column::x},
-                                 Name{"gps_longitude", Column::x}, Name{"location_long", Column::x}, Name{"location_lon", Column::x},
-                                 Name{"lat", Column::y},           Name{"latitude", Column::y},      Name{"gps_lat", Column::y},
-                                 Name{"gps_latitude", Column::y},  Name{"location_lat", Column::y}};
+constexpr std::array kDegrees = {
+    Name{"lon", FileColumn::x},           Name{"long", FileColumn::x},          Name{"lng", FileColumn::x},
+    Name{"longitude", FileColumn::x},     Name{"gps_lon", FileColumn::x},       Name{"gps_long", FileColumn::x},
+    Name{"gps_longitude", FileColumn::x}, Name{"location_long", FileColumn::x}, Name{"location_lon", FileColumn::x},
+    Name{"lat", FileColumn::y},           Name{"latitude", FileColumn::y},      Name{"gps_lat", FileColumn::y},
+    Name{"gps_latitude", FileColumn::y},  Name{"location_lat", FileColumn::y}};
 
 template <std::size_t N>
-std::optional<Column> find(const std::array<Name, N>& table, std::string_view name) {
+std::optional<FileColumn> find(const std::array<Name, N>& table, std::string_view name) {
   const auto hit = std::find_if(table.begin(), table.end(), [&](const Name& n) { return n.name == name; });
   return hit == table.end() ? std::nullopt : std::optional(hit->column);
 }
@@ -171,7 +173,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-std::string_view name_of(Column column) {
+std::string_view name_of(FileColumn column) {
   const auto hit = std::find_if(kNames.begin(), kNames.end(), [&](const Name& n) { return n.column == column; });
   return hit == kNames.end() ? "_" : hit->name;
 }
@@ -182,8 +184,8 @@ std::string known_names() {
   return out + "or _ to skip a column";
 }
 
-Column parse_name(std::string_view text) {
-  if (text == "_") return Column::skip;
+FileColumn parse_name(std::string_view text) {
+  if (text == "_") return FileColumn::skip;
   if (const auto column = find(kNames, lower(text))) return *column;
   throw InputError(fmt::format("--columns: '{}' is not a known column; expected {}", text, known_names()));
 }
@@ -193,14 +195,14 @@ void check_user_map(const ColumnMap& map) {
   for (const auto& n : kNames)
     if (std::count(map.of.begin(), map.of.end(), n.column) > 1)
       throw InputError(fmt::format("--columns: '{}' is given twice; expected every column once", n.name));
-  for (const Column c : {Column::x, Column::y})
+  for (const FileColumn c : {FileColumn::x, FileColumn::y})
     if (!map.has(c)) throw InputError(fmt::format("--columns: '{}' is missing; expected at least x and y", name_of(c)));
 }
 
 std::string by_name(const ColumnMap& map, const std::vector<std::string>& names) {
   std::string out;
   for (std::size_t i = 0; i < map.of.size(); ++i)
-    if (map.of[i] != Column::skip && map.of[i] != Column::date)
+    if (map.of[i] != FileColumn::skip && map.of[i] != FileColumn::date)
       out += fmt::format("{}{}={}", out.empty() ? "" : ",", name_of(map.of[i]), trimmed(names[i]));
   return out;
 }
@@ -214,11 +216,11 @@ bool is_length_unit(std::string_view unit) {
 void look_at_units(ColumnMap& map, const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto header = normalised(names[i]);
-    const Column column = map.of[i];
-    if (column == Column::x || column == Column::y || column == Column::z) {
+    const FileColumn column = map.of[i];
+    if (column == FileColumn::x || column == FileColumn::y || column == FileColumn::z) {
       if (find(kDegrees, header.name)) map.degrees = true;
       if (map.unit.empty() && is_length_unit(header.unit)) map.unit = header.unit;
-    } else if (column == Column::t && (header.unit == "ms" || header.unit == "min" || header.unit == "h" || header.unit == "us")) {
+    } else if (column == FileColumn::t && (header.unit == "ms" || header.unit == "min" || header.unit == "h" || header.unit == "us")) {
       throw InputError(fmt::format("the time column '{}' is in {}; expected seconds", names[i], header.unit));
     }
   }
@@ -228,7 +230,7 @@ ColumnMap map_by_name(const std::vector<std::string_view>& entries, const std::v
   if (names.empty())
     throw InputError(
         fmt::format("--columns: names are given but the file has no header; expected a list by position of its {} columns", count));
-  ColumnMap map{.of = std::vector<Column>(count, Column::skip)};
+  ColumnMap map{.of = std::vector<FileColumn>(count, FileColumn::skip)};
   for (const auto entry : entries) {
     const auto cut = entry.find('=');
     if (cut == std::string_view::npos)
@@ -239,7 +241,7 @@ ColumnMap map_by_name(const std::vector<std::string_view>& entries, const std::v
       throw InputError(
           fmt::format("--columns: the file has no column '{}'; expected one of {}", trimmed(entry.substr(cut + 1)), listed(names)));
     auto& column = map.of[static_cast<std::size_t>(hit - names.begin())];
-    if (column != Column::skip)
+    if (column != FileColumn::skip)
       throw InputError(fmt::format("--columns: column '{}' is used twice; expected every column once", trimmed(*hit)));
     column = parse_name(trimmed(entry.substr(0, cut)));
   }
@@ -251,11 +253,11 @@ ColumnMap map_by_name(const std::vector<std::string_view>& entries, const std::v
 
 }  // namespace
 
-bool ColumnMap::has(Column c) const { return std::find(of.begin(), of.end(), c) != of.end(); }
+bool ColumnMap::has(FileColumn c) const { return std::find(of.begin(), of.end(), c) != of.end(); }
 
 std::string positional(const ColumnMap& map) {
   std::string out;
-  for (const Column c : map.of) out += fmt::format("{}{}", out.empty() ? "" : ",", name_of(c));
+  for (const FileColumn c : map.of) out += fmt::format("{}{}", out.empty() ? "" : ",", name_of(c));
   return out;
 }
 
@@ -281,12 +283,12 @@ ColumnMap map_columns(std::string_view spec, const std::vector<std::string>& nam
 }
 
 ColumnMap map_header(const std::vector<std::string>& names, const std::string& place) {
-  ColumnMap map{.of = std::vector<Column>(names.size(), Column::skip)};
+  ColumnMap map{.of = std::vector<FileColumn>(names.size(), FileColumn::skip)};
   const auto claim = [&](const auto& table, bool exact) {
     const ColumnMap before = map;
     for (std::size_t i = 0; i < names.size(); ++i) {
       const auto column = find(table, normalised(names[i]).name);
-      if (!column || map.of[i] != Column::skip || before.has(*column)) continue;
+      if (!column || map.of[i] != FileColumn::skip || before.has(*column)) continue;
       if (map.has(*column)) {
         const auto other = static_cast<std::size_t>(std::find(map.of.begin(), map.of.end(), *column) - map.of.begin());
         throw InputError(fmt::format("{}: both '{}' and '{}' could be {}; expected --columns to say which{}", place, names[other], names[i],

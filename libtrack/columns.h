@@ -9,17 +9,17 @@
 
 namespace swarmfit {
 
-enum class Column : std::uint8_t { frame, t, x, y, z, vx, vy, vz, ax, ay, az, kind, id, date, skip };
+enum class FileColumn : std::uint8_t { frame, t, x, y, z, vx, vy, vz, ax, ay, az, kind, id, date, skip };
 
 // The columns that hold numbers come first in the enumeration.
-inline constexpr std::size_t kNumberColumns = static_cast<std::size_t>(Column::kind) + 1;
+inline constexpr std::size_t kNumberColumns = static_cast<std::size_t>(FileColumn::kind) + 1;
 
 struct ColumnMap {
-  std::vector<Column> of;  // one entry per column of the file
-  bool degrees = false;    // x and y are longitude and latitude
-  std::string unit{};      // length unit found in the header ("x [mm]", "x/mm"); empty: none
-  std::string spec{};      // the same mapping as --columns would take it
-  bool has(Column c) const;
+  std::vector<FileColumn> of;  // one entry per column of the file
+  bool degrees = false;        // x and y are longitude and latitude
+  std::string unit{};          // length unit found in the header ("x [mm]", "x/mm"); empty: none
+  std::string spec{};          // the same mapping as --columns would take it
+  bool has(FileColumn c) const;
 };
 
 // The mapping by --columns. `names` is the header (empty when the file has none), `count` the number of columns of the file.

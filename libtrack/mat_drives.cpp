@@ -27,7 +27,7 @@ class Drives {
     find_stride();
     for (int k = 1; has(fmt::format("pos_ev_{}", k)); ++k) add_event(k);
     name_individuals();
-    table_.columns = table_.has(Column::vx) ? "id,frame,x,y,vx,vy" : "id,frame,x,y";
+    table_.columns = table_.has(FileColumn::vx) ? "id,frame,x,y,vx,vy" : "id,frame,x,y";
     table_.notes.push_back(fmt::format("{} drives were read as separate episodes; frame = {} x event + frame within the event",
                                        table_.episodes.size() + 1, stride_));
     return std::move(table_);
@@ -99,11 +99,12 @@ class Drives {
   }
 
   void add_frame(double frame, const MatArray& pos, const MatArray& vel, std::size_t at) {
-    constexpr std::array position = {Column::x, Column::y, Column::z}, velocity = {Column::vx, Column::vy, Column::vz};
+    constexpr std::array position = {FileColumn::x, FileColumn::y, FileColumn::z},
+                         velocity = {FileColumn::vx, FileColumn::vy, FileColumn::vz};
     const std::size_t n = pos.dims[0], dims = pos.dims[1];
     for (std::size_t i = 0; i < n; ++i) {
       table_.track.push_back(static_cast<std::uint32_t>(i));
-      table_[Column::frame].push_back(frame);
+      table_[FileColumn::frame].push_back(frame);
       for (std::size_t axis = 0; axis < dims; ++axis) {
         const std::size_t cell = i + n * (axis + dims * at);
         table_[position[axis]].push_back(pos.value[cell]);
@@ -120,7 +121,7 @@ class Drives {
       table_.names.number(name);
     }
     if (!published) return;
-    for (const auto track : table_.track) table_[Column::kind].push_back(track == 14 ? 1 : track == 15 ? 2 : 0);
+    for (const auto track : table_.track) table_[FileColumn::kind].push_back(track == 14 ? 1 : track == 15 ? 2 : 0);
     table_.notes.push_back(
         "rows 1 to 14 are sheep (kind 0), row 15 is the dog (kind 1), row 16 the shepherd (kind 2), after Jadhav et al. 2024");
   }

@@ -33,7 +33,7 @@ struct RawTable {
   std::string file;  // for messages
   TrackNames names;
   std::vector<std::uint32_t> track;
-  std::array<std::vector<double>, kNumberColumns> number;  // by Column; empty when the file has none; position NaN: not seen
+  std::array<std::vector<double>, kNumberColumns> number;  // by FileColumn; empty when the file has none; position NaN: not seen
   std::vector<std::uint32_t> line;                         // source line of every row; empty: rows have no lines
   std::string row_name = "row";                            // what to call a row without a line
   std::vector<std::int64_t> episodes;
@@ -45,9 +45,9 @@ struct RawTable {
   std::vector<std::string> notes;
   bool synthetic = false;
 
-  std::vector<double>& operator[](Column c) { return number[static_cast<std::size_t>(c)]; }
-  const std::vector<double>& operator[](Column c) const { return number[static_cast<std::size_t>(c)]; }
-  bool has(Column c) const { return !(*this)[c].empty(); }
+  std::vector<double>& operator[](FileColumn c) { return number[static_cast<std::size_t>(c)]; }
+  const std::vector<double>& operator[](FileColumn c) const { return number[static_cast<std::size_t>(c)]; }
+  bool has(FileColumn c) const { return !(*this)[c].empty(); }
   std::string place(std::size_t row) const;  // "file:line", or "file: row 17"
 };
 

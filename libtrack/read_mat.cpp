@@ -69,12 +69,12 @@ void add_ids(RawTable& table, const double* value, std::size_t rows) {
 }
 
 // A number that no later step can use is refused where its row is known.
-void check_column(const RawTable& table, Column column, const std::vector<double>& values) {
+void check_column(const RawTable& table, FileColumn column, const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isinf(values[i])) throw InputError(table.place(i) + ": the value is infinite; expected a finite number");
-    if (column == Column::t && std::isnan(values[i]))
+    if (column == FileColumn::t && std::isnan(values[i]))
       throw InputError(table.place(i) + ": the time is missing; expected a time in every row");
-    if (column == Column::frame && !(values[i] == std::floor(values[i]) && std::abs(values[i]) < 9e15))
+    if (column == FileColumn::frame && !(values[i] == std::floor(values[i]) && std::abs(values[i]) < 9e15))
       throw InputError(fmt::format("{}: the frame number {} is not an integer; expected whole frames", table.place(i), values[i]));
   }
 }
@@ -90,13 +90,13 @@ RawTable read_table(const MatFile& mat, const Source& source, const ReadOptions&
   table.file = source.name;
   table.row_name = fmt::format("variable '{}' row", variable.name);
   table.columns = map.spec;
-  if (!map.has(Column::id)) {
+  if (!map.has(FileColumn::id)) {
     table.track.assign(rows, table.names.number(std::uint32_t{1}));
     table.notes.push_back("the file has no id column: all rows are one individual");
   }
   for (std::size_t c = 0; c < map.of.size(); ++c) {
     const double* values = array.value.data() + c * rows;
-    if (map.of[c] == Column::id) add_ids(table, values, rows);
+    if (map.of[c] == FileColumn::id) add_ids(table, values, rows);
     if (static_cast<std::size_t>(map.of[c]) >= kNumberColumns) continue;
     table[map.of[c]].assign(values, values + rows);
     check_column(table, map.of[c], table[map.of[c]]);

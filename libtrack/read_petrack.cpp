@@ -42,7 +42,7 @@ bool has_the_shape(std::string_view rows, char delimiter) {
 bool has_the_names(const TextHeader& header) {
   if (header.names.empty()) return false;
   const auto map = map_header(header.names, "");
-  return map.has(Column::id) && map.has(Column::frame) && map.has(Column::x) && map.has(Column::y);
+  return map.has(FileColumn::id) && map.has(FileColumn::frame) && map.has(FileColumn::x) && map.has(FileColumn::y);
 }
 
 bool recognises(const Source& source, const ReadOptions& options) {
@@ -66,8 +66,8 @@ RawTable read(const Source& source, const ReadOptions& options) {
   else
     map = map_columns(header.first_row.size() == 4 ? "id,frame,x,y" : "id,frame,x,y,z", header.names, header.first_row.size());
 
-  const bool head = options.columns.empty() && map.has(Column::z);
-  if (head) std::replace(map.of.begin(), map.of.end(), Column::z, Column::skip);
+  const bool head = options.columns.empty() && map.has(FileColumn::z);
+  if (head) std::replace(map.of.begin(), map.of.end(), FileColumn::z, FileColumn::skip);
   map.spec = positional(map);
   RawTable table = read_rows(source.name, source.bytes, header, map);
   table.format = kPeTrack.format.name;

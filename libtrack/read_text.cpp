@@ -51,10 +51,10 @@ class RowReader {
   RowReader(const std::string& name, const TextHeader& header, const ColumnMap& map, std::size_t bytes)
       : name_(name), delimiter_(header.delimiter), map_(map), header_line_(header.lines_before) {
     table_.file = name;
-    if (!map.has(Column::id)) one_track_ = table_.names.number(std::uint32_t{1});
-    has_date_ = map.has(Column::date);
+    if (!map.has(FileColumn::id)) one_track_ = table_.names.number(std::uint32_t{1});
+    has_date_ = map.has(FileColumn::date);
     const std::size_t guess = bytes / std::max<std::size_t>(1, 6 * map.of.size());
-    for (const Column c : map.of)
+    for (const FileColumn c : map.of)
       if (static_cast<std::size_t>(c) < kNumberColumns) table_[c].reserve(guess);
   }
 
@@ -69,7 +69,7 @@ class RowReader {
       read_field(fields, map_.of[i], place);
     }
     if (!fields.done()) ragged(place, count + remaining(fields));
-    if (has_date_ && clock_) table_[Column::t].back() += date_;
+    if (has_date_ && clock_) table_[FileColumn::t].back() += date_;
     table_.track.push_back(track_);
     table_.line.push_back(static_cast<std::uint32_t>(number));
   }
@@ -77,17 +77,17 @@ class RowReader {
   RawTable take() { return std::move(table_); }
 
  private:
-  void read_field(Fields& fields, Column column, const Place& place) {
+  void read_field(Fields& fields, FileColumn column, const Place& place) {
     switch (column) {
-      case Column::skip:
+      case FileColumn::skip:
         return fields.skip();
-      case Column::id:
+      case FileColumn::id:
         return read_id(fields);
-      case Column::t:
+      case FileColumn::t:
         return table_[column].push_back(read_time(fields, place));
-      case Column::frame:
+      case FileColumn::frame:
         return table_[column].push_back(read_frame(fields, place));
-      case Column::date:
+      case FileColumn::date:
         date_ = read_date(fields, place);
         return;
       default:
@@ -192,7 +192,7 @@ class RowReader {
 }
 
 void check_positions(const Source& source, const TextHeader& header, const ColumnMap& map) {
-  if (map.has(Column::x) && map.has(Column::y)) return;
+  if (map.has(FileColumn::x) && map.has(FileColumn::y)) return;
   throw InputError(at(source.name, header.names_line, 0,
                       fmt::format("no position columns among {}; expected x and y (--columns x=NAME,y=NAME,... if they have other names)",
                                   listed(header.names))));
@@ -237,7 +237,7 @@ RawTable read_rows(const std::string& name, std::string_view bytes, const TextHe
   table.format = "text";
   table.synthetic = header.synthetic;
   table.episodes = header.episodes;
-  if (!map.has(Column::id)) table.notes.push_back("the file has no id column: all rows are one individual");
+  if (!map.has(FileColumn::id)) table.notes.push_back("the file has no id column: all rows are one individual");
   return table;
 }
 
