@@ -48,7 +48,7 @@ std::string goodness(const Comparison& c, const FitResult& r) {
 std::string none_explains(const std::vector<const FitResult*>& scored) {
   const auto fails = [](const FitResult* r) { return std::isfinite(r->certainty.goodness_p) && !explains(*r); };
   if (!std::all_of(scored.begin(), scored.end(), fails)) return {};
-  return scored.size() == 1 ? " It does not explain the recording." : " None of these models explains the recording.";
+  return scored.size() == 1 ? " This fit does not explain the recording." : " None of these fits explains the recording.";
 }
 
 // Who is first where nobody was fitted, if that is another.

@@ -45,11 +45,11 @@ TEST(Headline, SaysThatNoModelExplainsTheRecording) {
   EXPECT_EQ(headline(c).sentence, "a moves most like the recording.");  // b could have made it
   EXPECT_THAT(headline(c).detail, HasSubstr("The recording lies farther from a than recordings made by it (p ≤ 0.01)."));
   c.models[1].certainty.goodness_p = 0.05;
-  EXPECT_EQ(headline(c).sentence, "a moves most like the recording. None of these models explains the recording.");
+  EXPECT_EQ(headline(c).sentence, "a moves most like the recording. None of these fits explains the recording.");
   c.models[1].certainty.goodness_p = NAN;
   EXPECT_EQ(headline(c).sentence, "a moves most like the recording.");
   c.models.pop_back();
-  EXPECT_THAT(headline(c).sentence, HasSubstr("It does not explain the recording."));
+  EXPECT_THAT(headline(c).sentence, HasSubstr("This fit does not explain the recording."));
 }
 
 TEST(Headline, SaysWhoIsFirstWhereNobodyWasFitted) {
