@@ -111,10 +111,7 @@ void write_across(const std::string& dir, const Across& a, const std::vector<Rec
   std::error_code no_such_file;
   fs::remove(root / "summary.json", no_such_file);
   write_file_atomically((tables / "across.csv").string(), across_csv(a));
-  for (const PaperTable& t : paper_tables(a)) {
-    write_file_atomically((tables / (t.name + ".md")).string(), to_markdown(t));
-    write_file_atomically((tables / (t.name + ".tex")).string(), to_latex(t));
-  }
+  for (const PaperTable& t : paper_tables(a)) write_table(tables.string(), t);
   write_file_atomically((root / "report.html").string(), across_html(a, pages, version));
   write_file_atomically((root / "summary.json").string(), to_json(a));
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "libtrack/file.h"
 #include "reports/number.h"
 #include "reports/words.h"
 
@@ -195,6 +196,11 @@ std::string latex_text(std::string_view utf8) {
     i += found != kCommands.end() ? found->first.size() : 1;
   }
   return out;
+}
+
+void write_table(const std::string& dir, const PaperTable& t) {
+  write_file_atomically(dir + '/' + t.name + ".md", to_markdown(t));
+  write_file_atomically(dir + '/' + t.name + ".tex", to_latex(t));
 }
 
 }  // namespace swarmfit

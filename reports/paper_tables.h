@@ -29,4 +29,7 @@ std::string to_latex(const PaperTable&);
 // Text with LaTeX's special characters escaped and Greek letters, signs and superscripts as commands; control characters become "?".
 std::string latex_text(std::string_view utf8);
 
+// DIR/NAME.md and DIR/NAME.tex.
+void write_table(const std::string& dir, const PaperTable&);
+
 }  // namespace swarmfit

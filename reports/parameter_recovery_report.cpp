@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "libtrack/file.h"
@@ -13,7 +12,6 @@
 namespace swarmfit {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 std::string band(const ParameterRecovery& r) {
@@ -78,18 +76,10 @@ std::string to_json(const ParameterRecovery& r, const Settings& conditions) {
 }
 
 void write_parameter_recovery(const std::string& dir, const ParameterRecovery& r, const Settings& settings) {
-  check_run_directory(dir);
-  const fs::path root = dir, tables = root / "tables";
-  make_directory(tables.string());
-  const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
-  write(root / "config.toml", config_toml("recover", settings));
-  std::error_code no_such_file;
-  fs::remove(root / "recovery.json", no_such_file);
-  const PaperTable t = coverage_table(r, "How many of the true values lie in their 95 % intervals. " + band(r));
-  write(tables / "coverage.md", to_markdown(t));
-  write(tables / "coverage.tex", to_latex(t));
-  write(tables / "cases.csv", parameter_cases_csv(r));
-  write(root / "recovery.json", to_json(r, settings));
+  begin_study(dir, "recover", settings, "recovery.json");
+  write_table(dir + "/tables", coverage_table(r, "How many of the true values lie in their 95 % intervals. " + band(r)));
+  write_file_atomically(dir + "/tables/cases.csv", parameter_cases_csv(r));
+  write_file_atomically(dir + "/recovery.json", to_json(r, settings));
 }
 
 }  // namespace swarmfit

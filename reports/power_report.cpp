@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "libtrack/file.h"
@@ -15,7 +14,6 @@
 namespace swarmfit {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 const std::string& planted(const Power& p, const PowerPair& pair) { return p.recovery.planted[pair.planted]; }
@@ -96,24 +94,18 @@ std::string to_json(const Power& p, const Settings& settings) {
 }
 
 void write_power(const std::string& dir, const Power& p, const Settings& settings) {
-  check_run_directory(dir);
-  const fs::path root = dir, tables = root / "tables";
-  make_directory(tables.string());
-  const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
-  write(root / "config.toml", config_toml("power", settings));
-  std::error_code no_such_file;
-  fs::remove(root / "power.json", no_such_file);
-  write_matrices(tables.string(), p.recovery, settings);
-  const PaperTable pairs =
+  begin_study(dir, "power", settings, "power.json");
+  const std::string tables = dir + "/tables";
+  write_matrices(tables, p.recovery, settings);
+  write_table(
+      tables,
       pairs_table(p,
-                  "Planted models and their rivals: in how many recordings the planted one was ranked before the rival, in how many the "
-                  "rival was moreover not in the best group, the lead in score, and how many times as long a recording must be for a "
-                  "lead in 95 %.");
-  write(tables / "pairs.md", to_markdown(pairs));
-  write(tables / "pairs.tex", to_latex(pairs));
-  write(tables / "pairs.csv", pairs_csv(p));
-  write(tables / "cases.csv", recovery_csv(p.recovery));
-  write(root / "power.json", to_json(p, settings));
+                  "Planted models and their rivals: in how many recordings the planted one was ranked before the rival, in how many "
+                  "the rival was moreover not in the best group, the lead in score, and how many times as long a recording must be "
+                  "for a lead in 95 %."));
+  write_file_atomically(tables + "/pairs.csv", pairs_csv(p));
+  write_file_atomically(tables + "/cases.csv", recovery_csv(p.recovery));
+  write_file_atomically(dir + "/power.json", to_json(p, settings));
 }
 
 }  // namespace swarmfit

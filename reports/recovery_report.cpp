@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "libtrack/file.h"
@@ -14,7 +13,6 @@
 namespace swarmfit {
 namespace {
 
-namespace fs = std::filesystem;
 constexpr double kAlpha = 0.05;
 using Json = nlohmann::ordered_json;
 
@@ -143,22 +141,15 @@ void write_matrices(const std::string& dir, const Recovery& r, const Settings& s
                                 "among those that cannot be told from the best (model confidence set, 95 %); rejected: how often the model "
                                 "that made a recording was found not to explain it (p ≤ 0.05)" +
                                 end)}) {
-    write_file_atomically(dir + '/' + t.name + ".md", to_markdown(t));
-    write_file_atomically(dir + '/' + t.name + ".tex", to_latex(t));
+    write_table(dir, t);
   }
 }
 
 void write_recovery(const std::string& dir, const Recovery& r, const Settings& settings) {
-  check_run_directory(dir);
-  const fs::path root = dir, tables = root / "tables";
-  make_directory(tables.string());
-  const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
-  write(root / "config.toml", config_toml("recover", settings));
-  std::error_code no_such_file;
-  fs::remove(root / "recovery.json", no_such_file);
-  write_matrices(tables.string(), r, settings);
-  write(tables / "cases.csv", recovery_csv(r));
-  write(root / "recovery.json", to_json(r, settings));
+  begin_study(dir, "recover", settings, "recovery.json");
+  write_matrices(dir + "/tables", r, settings);
+  write_file_atomically(dir + "/tables/cases.csv", recovery_csv(r));
+  write_file_atomically(dir + "/recovery.json", to_json(r, settings));
 }
 
 }  // namespace swarmfit

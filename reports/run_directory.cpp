@@ -81,10 +81,7 @@ void write_run(const std::string& dir, const Comparison& c) {
   std::error_code no_such_file;
   fs::remove(root / "results.json", no_such_file);
   for (const NamedTable& t : result_tables(c)) write(tables / t.name, t.csv);
-  for (const PaperTable& t : paper_tables(c)) {
-    write(tables / (t.name + ".md"), to_markdown(t));
-    write(tables / (t.name + ".tex"), to_latex(t));
-  }
+  for (const PaperTable& t : paper_tables(c)) write_table(tables.string(), t);
   write(root / "history.csv", history_csv(c));
   write(root / "report.html", report_html(c));
   write(root / "results.json", to_json(c));
@@ -94,6 +91,14 @@ std::string config_toml(const std::string& command, const Settings& settings) {
   std::string out = fmt::format("{}: `swarmfit {} --config config.toml --out NEW_FOLDER` repeats it.\n[{}]\n", kMark, command, command);
   for (const auto& [key, value] : settings) out += fmt::format("{} = {}\n", key, value);
   return out;
+}
+
+void begin_study(const std::string& dir, const std::string& command, const Settings& settings, const std::string& result) {
+  check_run_directory(dir);
+  make_directory(dir + "/tables");
+  write_file_atomically(dir + "/config.toml", config_toml(command, settings));
+  std::error_code no_such_file;
+  std::filesystem::remove(dir + '/' + result, no_such_file);
 }
 
 }  // namespace swarmfit

@@ -26,4 +26,8 @@ void write_run(const std::string& dir, const Comparison&);
 using Settings = std::vector<std::pair<std::string, std::string>>;
 std::string config_toml(const std::string& command, const Settings& settings);
 
+// The folder of a study that computes first and writes then: config.toml, tables/, and no earlier file of the name `result`, which is to be
+// written last. Throws as begin_run.
+void begin_study(const std::string& dir, const std::string& command, const Settings& settings, const std::string& result);
+
 }  // namespace swarmfit
