@@ -134,15 +134,15 @@ void write_matrices(const std::string& dir, const Recovery& r, const Settings& s
   std::string conditions;
   for (const auto& [name, value] : settings)
     if (name != "model" && name != "plant") conditions += fmt::format("{}{} {}", conditions.empty() ? "" : ", ", name, value);
-  const std::string rows = "Rows: the model that made the recordings; columns: how often each model was ", end = ". " + conditions + ".";
+  const auto caption = [&](const char* what) {
+    return fmt::format("Rows: the model that made the recordings; columns: how often each model was {}. {}.", what, conditions);
+  };
   for (const PaperTable& t :
-       {confusion_table(r, rows + "ranked first" + end),
-        confidence_table(r, rows +
-                                "among those that cannot be told from the best (model confidence set, 95 %); rejected: how often the model "
-                                "that made a recording was found not to explain it (p ≤ 0.05)" +
-                                end)}) {
+       {confusion_table(r, caption("ranked first")),
+        confidence_table(
+            r, caption("among those that cannot be told from the best (model confidence set, 95 %); rejected: how often the model "
+                       "that made a recording was found not to explain it (p ≤ 0.05)"))})
     write_table(dir, t);
-  }
 }
 
 void write_recovery(const std::string& dir, const Recovery& r, const Settings& settings) {
