@@ -106,6 +106,19 @@ void warn_of_parts(const FitResult& whole, const Comparison& r, std::vector<std:
            part.model);
 }
 
+// The search sees histograms, the posterior means and correlations besides: where they disagree, no parameters are right for both.
+void warn_of_posterior(const FitResult& fit, std::vector<std::string>& out) {
+  std::vector<std::string> apart;
+  for (const ParameterResult& p : fit.parameters)
+    if (p.value < p.posterior.lower || p.value > p.posterior.upper) apart.push_back(p.name);
+  if (!apart.empty())
+    warn(
+        out,
+        "{}: the best {} lies outside its 95 % interval. Distributions and correlations ask for different values, so the model is wrong in "
+        "something, or the search was not finished; trust neither value.",
+        fit.model, fmt::join(apart, ", "));
+}
+
 }  // namespace
 
 PerColumn<double> resolution(const Conditions& c, const Target& target, const CompareOptions& options, const PerColumn<bool>& drowned) {
@@ -231,6 +244,7 @@ std::vector<std::string> warnings_for(const Comparison& r) {
   for (const auto& model : r.models) {
     warn_of_fit(model, r, out);
     warn_of_parts(model, r, out);
+    warn_of_posterior(model, out);
   }
   return out;
 }

@@ -377,5 +377,24 @@ TEST(Compare, PosteriorIsBesideTheBestParameters) {
   }
 }
 
+TEST(Warnings, ABestValueOutsideItsIntervalIsWarnedOf) {
+  auto options = tiny({"brownian[interaction=none]"});
+  options.posterior = true;
+  Comparison c = compare(test::planted_swarm(3), options);
+  ParameterResult& p = c.models.front().parameters.front();
+  const auto warned = [&] {
+    const auto all = warnings_for(c);
+    return std::any_of(all.begin(), all.end(), [](const auto& w) {
+      return w.find("gamma1") != std::string::npos && w.find("outside its 95 %") != std::string::npos;
+    });
+  };
+  p.value = p.posterior.median;
+  EXPECT_FALSE(warned());
+  p.value = p.posterior.upper + 1;
+  EXPECT_TRUE(warned());
+  p.posterior = {};
+  EXPECT_FALSE(warned());
+}
+
 }  // namespace
 }  // namespace swarmfit
