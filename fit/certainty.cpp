@@ -10,8 +10,6 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kAlpha = 0.05;
-
 // Energies between a recording and a model that is represented by these runs; as in Objective, those that blew up count as the worst.
 Energies energies_of(const SingleRun& recording, const std::vector<const SingleRun*>& model, const Target& target) {
   const std::size_t columns = target.columns().size();
@@ -89,7 +87,10 @@ std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& sel
   std::vector<double> variance;
   for (const auto& passes : selections) {
     double sum = 0;
-    for (std::size_t k = 1; k < passes.size(); ++k) sum += std::pow(cost_of(passes[k], weighting) - cost_of(passes[k - 1], weighting), 2);
+    for (std::size_t k = 1; k < passes.size(); ++k) {
+      const double change = cost_of(passes[k], weighting) - cost_of(passes[k - 1], weighting);
+      sum += change * change;
+    }
     // The variance of a difference is twice that of each.
     const double own = passes.size() > 1 ? sum / (2 * static_cast<double>(passes.size() - 1)) : 0;
     variance.push_back(std::isfinite(own) ? own : 0);

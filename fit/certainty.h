@@ -19,23 +19,25 @@ Law law_of(const Objective& objective, const std::vector<double>& parameters, co
 // no search was repeated. selections: per model and pass, raw energies.
 std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& selections, const Weighting& weighting);
 
-// Scores of all models, and those they get on each of the recordings: every model is represented by `pooled` other runs of
-// its law, and has missed its best parameters by a normal error of this scatter. So the draws scatter as the recording, the simulations and
-// the searches do. Models, laws and scatter in the same order; NaN where the recording or a score is undefined.
+// What scores are drawn from; models in the same order throughout.
 struct Laws {
   Law recordings;  // that are scored: those of the best model
   std::vector<Law> of;
   std::vector<double> scatter;
-  Rng root;
+  Rng root;  // of the errors of the searches
 };
+
+// Scores of all models, and those they get on each of the recordings: every model is represented by `pooled` other runs of its law, and has
+// missed its best parameters by a normal error of its scatter. So the draws scatter as the recording, the simulations and the searches do.
+// NaN where the recording or a score is undefined.
 ScoreDraws score_draws(const std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting,
                        int pooled);
 
 // Fills FitResult::certainty of models that are ranked. With fewer than `pooled` + 2 recordings per law, everything stays undefined.
 //
 // - goodness_p: of the recordings of its own law, the share that is as far from the model as the real one is, in the weighted energy; at
-//   least 1/(1 + recordings). The model was fitted to the real one, which lies nearer for that: small values are trustworthy, others
-//   flatter.
+//   least 1/(1 + recordings). The model was fitted to the real one, which lies nearer for that; a search that misses the right parameters
+//   makes it small even of a model that made the recording (docs/certainty.md).
 // - group, set_p: by the model confidence set at 95 %.
 // - lower, upper, lead_lower, lead_upper: basic bootstrap intervals.
 // - own: mean over its own recordings.

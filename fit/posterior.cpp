@@ -82,7 +82,8 @@ Standardised standardised(const Bank& bank, const Rows& rows, const VectorXd& ob
     std::vector<double> values;
     double sum = 0, square = 0;
     for (const std::size_t r : rows) values.push_back(bank.features[r][f]), sum += values.back();
-    for (const double v : values) square += std::pow(v - sum / static_cast<double>(n), 2.0);
+    const double mean = sum / static_cast<double>(n);
+    for (const double v : values) square += (v - mean) * (v - mean);
     Robust typical = robust(values);
     if (!(typical.sd > 0)) typical.sd = std::sqrt(square / static_cast<double>(n));
     if (!(typical.sd > 1e-12 * std::abs(typical.median))) continue;

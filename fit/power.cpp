@@ -33,7 +33,8 @@ PowerPair pair_of(const Recovery& r, std::size_t planted, std::size_t rival) {
   if (lead.count > 0) out.lead = lead.mean;
   if (lead.count < 2) return out;
   out.lead_sd = std::sqrt(lead.m2 / static_cast<double>(lead.count - 1));
-  out.factor = out.lead > 0 ? std::max(1.0, std::pow(kOneSided * out.lead_sd / out.lead, 2)) : INFINITY;
+  const double root = kOneSided * out.lead_sd / out.lead;
+  out.factor = out.lead > 0 ? std::max(1.0, root * root) : INFINITY;
   return out;
 }
 
@@ -68,8 +69,8 @@ Power power(const Tracks& recording, const PowerOptions& options, const OnPower&
   };
   tell();
   Power out;
-  out.fitted.push_back(compare(recording, options.compare));
-  const Comparison& fitted = out.fitted.front();
+  out.fitted = compare(recording, options.compare);
+  const Comparison& fitted = out.fitted;
   tell();
   ConditionOptions as_filmed = options.compare.conditions;
   as_filmed.smoothing = 0;  // what is filmed is smoothed when it is compared

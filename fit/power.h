@@ -28,7 +28,7 @@ struct PowerPair {
 struct Power {
   Recovery recovery;  // planted as compared, in the order of the options; a recording that blew up is left out
   std::vector<PowerPair> pairs;
-  std::vector<Comparison> fitted;  // one: of the recording itself, whose parameters were planted
+  Comparison fitted;  // of the recording itself, whose parameters were planted
 };
 
 // Told what was done: 0 of 1 + models × seeds comparisons and so on; returning false interrupts (Interrupted is thrown).

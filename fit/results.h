@@ -141,11 +141,14 @@ struct LeftOut {
   bool winner_changed = false;                          // another than the first leads, the first not being the one left out
 };
 
+// Level of tests, intervals and groups.
+inline constexpr double kAlpha = 0.05;
+
 // How sure the place of a model is, from recordings made by the fitted models (fit/certainty.h).
 struct Certainty {
-  double goodness_p = NAN;  // of recordings made by this model, the share that is as far from it as the recording is; small: it is not one
-  int group = 0;            // models of one group cannot be told apart, the best are group 1; 0: cannot be told
-  double set_p = NAN;       // p at which the model leaves the model confidence set of all
+  double goodness_p = NAN;                    // share of recordings made by this fit that are as far from it as the recording is
+  int group = 0;                              // models of one group cannot be told apart, the best are group 1; 0: cannot be told
+  double set_p = NAN;                         // p at which the model leaves the model confidence set of all
   double lower = NAN, upper = NAN;            // of the score, 95 %, over recordings as long as this one
   double lead_lower = NAN, lead_upper = NAN;  // of the first model's lead, 95 %
   Energies own{};                             // mean raw energies of its own recordings: what a perfect model would have

@@ -77,8 +77,10 @@ VectorXd best_penalties(const MatrixXd& x, const MatrixXd& y, const Sums& s) {
     const MatrixXd fitted = rotated * (shrink.asDiagonal() * moment);
     for (Index j = 0; j < y.cols(); ++j) {
       double error = 0;
-      for (Index i = 0; i < y.rows(); ++i)
-        error += std::pow((target(i, j) - fitted(i, j)) / std::max(1 - 1 / s.rows - leverage[i], 1e-9), 2.0);
+      for (Index i = 0; i < y.rows(); ++i) {
+        const double residual = (target(i, j) - fitted(i, j)) / std::max(1 - 1 / s.rows - leverage[i], 1e-9);
+        error += residual * residual;
+      }
       if (error < least[j]) least[j] = error, best[j] = penalty;
     }
   }

@@ -19,14 +19,21 @@ Eigen::MatrixXd centred(const Eigen::MatrixXd& draws, const Models& models) {
     rows += out.row(rows).allFinite();
   }
   out.conservativeResize(rows, Eigen::NoChange);
-  for (Index k = 0; k < out.cols(); ++k) out.col(k).array() -= out.col(k).sum() / static_cast<double>(std::max<Index>(rows, 1));
+  for (Index k = 0; k < out.cols(); ++k) {
+    double sum = 0;
+    for (Index b = 0; b < rows; ++b) sum += out(b, k);
+    out.col(k).array() -= sum / static_cast<double>(std::max<Index>(rows, 1));
+  }
   return out;
 }
 
 // Standard deviation of the difference of two columns whose means are 0.
 double scatter(const Eigen::MatrixXd& draws, Index i, Index j) {
   double sum = 0;
-  for (Index b = 0; b < draws.rows(); ++b) sum += std::pow(draws(b, i) - draws(b, j), 2);
+  for (Index b = 0; b < draws.rows(); ++b) {
+    const double difference = draws(b, i) - draws(b, j);
+    sum += difference * difference;
+  }
   return std::sqrt(sum / static_cast<double>(draws.rows() - 1));
 }
 

@@ -13,7 +13,6 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kAlpha = 0.05;
 using Json = nlohmann::ordered_json;
 
 int recordings(const Recovery& r, std::size_t planted) {

@@ -13,8 +13,6 @@ namespace swarmfit {
 
 namespace {
 
-constexpr double kAlpha = 0.05;
-
 // The winner's largest raw energy among the metrics that count.
 std::string main_misfit(const Comparison& c, const FitResult& winner) {
   const std::size_t none = c.columns.size();
