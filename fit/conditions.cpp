@@ -6,62 +6,13 @@
 #include <charconv>
 #include <cmath>
 
+#include "fit/entry.h"
 #include "libeval/order.h"
 #include "libtrack/error.h"
 #include "libtrack/kinematics.h"
 
 namespace swarmfit {
 namespace {
-
-// Frames used for the velocity with which an agent enters: one difference carries sqrt(2) localisation errors, the slope over five
-// frames a third of one.
-constexpr std::size_t kEntryFrames = 5;
-
-// Least-squares slope of position against time over the first frames of an unbroken run of rows.
-Eigen::Array3d entry_velocity(const Tracks& tracks, std::span<const Index> run) {
-  const auto n = std::min(run.size(), kEntryFrames);
-  const double centre = 0.5 * static_cast<double>(n - 1);
-  Eigen::Array3d slope = Eigen::Array3d::Zero();
-  double norm = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double t = static_cast<double>(k) - centre;
-    slope += t * tracks.pos().row(run[k]).transpose();
-    norm += t * t;
-  }
-  return norm > 0 ? Eigen::Array3d(slope / (norm * tracks.dt())) : Eigen::Array3d::Zero();
-}
-
-// The unbroken run of rows that starts at rows[k].
-std::span<const Index> run_from(const Tracks& tracks, std::span<const Index> rows, std::size_t k) {
-  std::size_t end = k + 1;
-  while (end < rows.size() && tracks.next()[static_cast<std::size_t>(rows[end - 1])] == rows[end]) ++end;
-  return rows.subspan(k, end - k);
-}
-
-// One visit per track and episode; gaps are kept inside a visit, where the agent lives on unseen.
-std::vector<Presence::Visit> recorded_visits(const Tracks& tracks) {
-  std::vector<Presence::Visit> visits;
-  const auto frame = tracks.frame();
-  const auto episode_of = [&](std::int64_t f) {
-    const auto e = tracks.episodes();
-    return std::upper_bound(e.begin(), e.end(), f) - e.begin();
-  };
-  for (std::uint32_t t = 0; t < tracks.track_count(); ++t) {
-    const auto rows = tracks.rows_of(t);
-    for (std::size_t k = 0; k < rows.size();) {
-      const auto frame_of = [&](std::size_t i) { return frame[static_cast<std::size_t>(rows[i])]; };
-      std::size_t end = k + 1;
-      while (end < rows.size() && episode_of(frame_of(end)) == episode_of(frame_of(k))) ++end;
-      const Index first = rows[k];
-      const Eigen::Array3d recorded =
-          tracks.has_velocity() ? Eigen::Array3d(tracks.vel().row(first).transpose()) : Eigen::Array3d::Constant(NAN);
-      visits.push_back({t, tracks.kind(first), frame_of(k), frame_of(end - 1), tracks.pos().row(first).transpose(),
-                        recorded.isFinite().all() ? recorded : entry_velocity(tracks, run_from(tracks, rows, k))});
-      k = end;
-    }
-  }
-  return visits;
-}
 
 // Everybody of the first frame, for the whole length of the recording.
 std::vector<Presence::Visit> constant_visits(const Tracks& tracks) {
@@ -82,7 +33,7 @@ std::vector<Presence::Visit> unseen_visits(const Tracks& tracks, int count) {
     const auto row = static_cast<Index>(u[0] * static_cast<double>(tracks.rows()));
     const auto& like = recorded[static_cast<std::size_t>(u[1] * static_cast<double>(recorded.size()))];
     visits.push_back({static_cast<std::uint32_t>(tracks.track_count()) + static_cast<std::uint32_t>(k), like.kind,
-                      tracks.frames().front().number, tracks.frames().back().number, tracks.pos().row(row).transpose(), like.vel});
+                      tracks.frames().front().number, tracks.frames().back().number, tracks.pos().row(row).transpose(), like.vel, like.vel_error});
   }
   return visits;
 }

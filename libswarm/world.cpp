@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "libtrack/normals.h"
+
 namespace swarmfit {
 namespace {
 
@@ -126,16 +128,17 @@ void Presence::advance(const Clock& clock, const World&, State& state) {
     const Visit& visit = (*visits_)[entered_];
     if (visit.leave >= clock.frame) newcomers.push_back(&visit);  // or it was over before the run began
   }
-  if (!newcomers.empty()) welcome(newcomers, state);
+  if (!newcomers.empty()) welcome(newcomers, clock, state);
 }
 
-void Presence::welcome(std::span<const Visit* const> newcomers, State& state) {
+void Presence::welcome(std::span<const Visit* const> newcomers, const Clock& clock, State& state) {
   const std::uint32_t next_id = state.next_id;  // they bring their own
   Index row = state.append(static_cast<Index>(newcomers.size()));
   state.next_id = next_id;
+  const auto tick = static_cast<std::uint64_t>(clock.frame) & 0xFFFFFFFFFFFFu;  // frame numbers may be negative
   for (const Visit* visit : newcomers) {
     state.pos.row(row) = visit->pos.transpose();
-    state.vel.row(row) = visit->vel.transpose();
+    state.vel.row(row) = (visit->vel + visit->vel_error * three_normals(clock.rng, Stream::entry, tick, visit->id)).transpose();
     state.kind[static_cast<std::size_t>(row)] = visit->kind;
     state.id[static_cast<std::size_t>(row)] = visit->id;
     state.next_id = std::max(state.next_id, visit->id + 1);

@@ -79,7 +79,8 @@ class World {
   std::vector<std::unique_ptr<WorldPart>> parts_;
 };
 
-// Entrances and exits as recorded: each agent enters with a given position and velocity at a frame, and leaves after another.
+// Entrances and exits as recorded: each agent enters at a frame with a given position, and with a velocity known up to a normal error that
+// every run draws anew, and leaves after another frame.
 class Presence : public WorldPart {
  public:
   struct Visit {
@@ -87,6 +88,7 @@ class Presence : public WorldPart {
     std::uint8_t kind;
     std::int64_t enter, leave;  // first and last frame
     Eigen::Array3d pos, vel;
+    Eigen::Array3d vel_error = Eigen::Array3d::Zero();  // standard deviation per axis
   };
   explicit Presence(std::vector<Visit> visits);
   std::unique_ptr<WorldPart> clone() const override { return std::make_unique<Presence>(*this); }
@@ -94,7 +96,7 @@ class Presence : public WorldPart {
 
  private:
   void see_off(std::int64_t frame, State& state);
-  void welcome(std::span<const Visit* const> newcomers, State& state);
+  void welcome(std::span<const Visit* const> newcomers, const Clock& clock, State& state);
 
   std::shared_ptr<const std::vector<Visit>> visits_;  // by entry, then id; shared by all copies
   std::size_t entered_ = 0;                           // visits begun so far

@@ -30,6 +30,7 @@ enum class Stream : std::uint32_t {
   hidden = 15,        // what an agent brings along and no recording shows, such as the state of its noise
   law = 16,           // recordings made by a fitted model
   posterior = 17,     // parameters drawn from a prior, and their recordings
+  entry = 18,         // error of the velocities with which recorded agents enter
   surrogate = 20      // recordings with a property destroyed
 };
 

@@ -150,5 +150,25 @@ TEST(Stimuli, NearestInRangeAndTheRepellingOneWinsTies) {
   EXPECT_LT((s.nearest({0, 2, 0}, {}, 5).from - Array3d(0, -1, 0)).abs().maxCoeff(), 1e-15);
 }
 
+// 400 agents enter at speed 2 +- 0.5 along x alone: the draws have that mean and scatter (99 %: 0.5 * 2.58/sqrt(400), and /sqrt(800)), every run
+// its own, and a run the same again.
+TEST(Presence, EveryRunDrawsTheErrorOfEntryVelocities) {
+  std::vector<Presence::Visit> visits;
+  for (std::uint32_t k = 0; k < 400; ++k) visits.push_back({k, 0, -3, 9, Array3d::Zero(), {2, 1, 0}, {0.5, 0, 0}});
+  const auto entered = [&](std::uint64_t seed) {
+    Presence presence(visits);
+    State state;
+    presence.advance({-3, 0, 0, 0.1, {seed}}, {}, state);
+    return state;
+  };
+  const State a = entered(1), again = entered(1), b = entered(2);
+  EXPECT_TRUE((a.vel == again.vel).all());
+  EXPECT_FALSE((a.vel == b.vel).all());
+  EXPECT_TRUE((a.vel.col(1) == 1).all() && (a.vel.col(2) == 0).all());
+  const double mean = a.vel.col(0).mean(), sd = std::sqrt((a.vel.col(0) - mean).square().mean());
+  EXPECT_NEAR(mean, 2, 0.065);
+  EXPECT_NEAR(sd, 0.5, 0.046);
+}
+
 }  // namespace
 }  // namespace swarmfit
