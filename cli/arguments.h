@@ -34,7 +34,7 @@ struct FitArguments {
   std::int64_t max_evaluations = 0;
   std::vector<std::string> set, fix, bounds;
   std::string presence = "recorded", arena = "open", velocity = "difference", protocol = "default";
-  std::string normalisation, observation_error, lags, resolution, calibration;  // empty: the protocol's
+  std::string normalisation, scoring, observation_error, lags, resolution, calibration;  // empty: the protocol's
   double smoothing = 0;
   double error_limit = -1;  // negative: the protocol's
   int bins = 0;
@@ -54,7 +54,7 @@ struct ResumeArguments {
 struct RecoverArguments {
   Common common;
   std::vector<std::string> models, planted, set;
-  std::string preset, out, budget = "quick", protocol = "default", observation_error, lags, resolution, calibration;
+  std::string preset, out, budget = "quick", protocol = "default", scoring, observation_error, lags, resolution, calibration;
   std::int64_t max_evaluations = 0, frames = 300;
   bool parameters = false;  // of one model, instead of which model
   int seeds = 10, agents = 10, dims = 3;

@@ -88,6 +88,10 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("--calibration", a.calibration,
                  "later passes search under the mean of all passes' weights (default), or under the last weights, as published")
       ->check(CLI::IsMember({"mean", "last"}));
+  app.add_option("--scoring", a.scoring,
+                 "how several simulations of a model are compared with the recording: by the energy score (proper, default), or as one "
+                 "pooled distribution, as published (pooled)")
+      ->check(CLI::IsMember({"proper", "pooled"}));
   app.add_option("--lags", a.lags,
                  "measure motion over this many frames, each lag as metrics of its own: 1,4,16; or auto (default), which adds to 1 the "
                  "shortest lag at which no metric of motion is past the error limit");
@@ -265,6 +269,7 @@ struct Program {
     sub.add_option("--obs-noise", a.observation_error, "as in compare");
     sub.add_option("--lags", a.lags, "as in compare; auto chooses for every recording");
     sub.add_option("--resolution", a.resolution, "as in compare")->check(CLI::IsMember({"recording", "none"}));
+    sub.add_option("--scoring", a.scoring, "as in compare")->check(CLI::IsMember({"proper", "pooled"}));
     sub.add_option("--calibration", a.calibration, "as in compare")->check(CLI::IsMember({"mean", "last"}));
     sub.add_option("--protocol", a.protocol, "as in compare")->check(CLI::IsMember({"default", "ren2016"}))->capture_default_str();
     sub.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();

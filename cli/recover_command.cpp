@@ -29,6 +29,7 @@ RecoveryOptions recovery_options(const RecoverArguments& a) {
   fit.observation_error = a.observation_error;
   fit.lags = a.lags;
   fit.resolution = a.resolution;
+  fit.scoring = a.scoring;
   fit.calibration = a.calibration;
   RecoveryOptions o;
   o.compare = compare_options(with_protocol(fit));
@@ -80,6 +81,7 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   if (!a.observation_error.empty()) s.emplace_back("obs-noise", quoted(a.observation_error));
   if (!a.lags.empty()) s.emplace_back("lags", quoted(a.lags));
   if (!a.resolution.empty()) s.emplace_back("resolution", quoted(a.resolution));
+  if (!a.scoring.empty()) s.emplace_back("scoring", quoted(a.scoring));
   if (!a.calibration.empty()) s.emplace_back("calibration", quoted(a.calibration));
   std::vector<std::string> set;
   for (const auto& text : a.set) set.push_back(quoted(text));

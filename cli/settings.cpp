@@ -151,11 +151,14 @@ std::map<std::string, double> parse_assignments(const std::vector<std::string>& 
   return out;
 }
 
-Binning binning(const std::string& normalisation, int bins) {
+Binning binning(const std::string& normalisation, int bins, const std::string& scoring) {
   Binning b = Binning::standard(normalisation == "separate" ? Normalisation::separate
                                 : normalisation == "none"   ? Normalisation::none
                                                             : Normalisation::reference);
   if (bins > 0) b.bins = bins;
+  if (scoring == "proper" && b.normalisation == Normalisation::separate)
+    throw InputError("--scoring proper --normalisation separate: runs have no common axes to be scored on; expected pooled");
+  if (!scoring.empty()) b.pooled = scoring == "pooled";
   return b;
 }
 
@@ -166,6 +169,7 @@ FitArguments with_protocol(FitArguments a) {
   if (a.lags.empty()) a.lags = literal ? "1" : "auto";
   if (a.error_limit < 0) a.error_limit = literal ? 1 : 0.5;
   if (a.resolution.empty()) a.resolution = literal ? "none" : "recording";
+  if (a.scoring.empty()) a.scoring = a.normalisation == "separate" ? "pooled" : "proper";
   if (a.calibration.empty()) a.calibration = literal ? "last" : "mean";
   return a;
 }
@@ -184,7 +188,7 @@ CompareOptions compare_options(const FitArguments& a) {
                                number("--bounds", std::string_view(range).substr(colon + 1), text)};
   }
   o.conditions = condition_options(a);
-  o.binning = binning(a.normalisation, a.bins);
+  o.binning = binning(a.normalisation, a.bins, a.scoring);
   o.budget = budget_named(a.budget);
   if (a.replicates > 0) o.budget.search.replicates = a.replicates;
   if (a.protocol == "ren2016") o.budget.passes = kRen2016Passes;
@@ -239,6 +243,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("obs-noise", a.observation_error);
   out.emplace_back("error-limit", fmt::format("{}", a.error_limit));
   text("resolution", a.resolution);
+  text("scoring", a.scoring);
   text("calibration", a.calibration);
   text("lags", a.lags);
   positive("smooth", a.smoothing);

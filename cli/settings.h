@@ -22,7 +22,7 @@ std::vector<ModelChoice> parse_models(const std::vector<std::string>& texts);
 std::vector<ModelChoice> preset_models(const std::string& preset);
 
 std::map<std::string, double> parse_assignments(const std::vector<std::string>& texts);  // --set
-Binning binning(const std::string& normalisation, int bins);
+Binning binning(const std::string& normalisation, int bins, const std::string& scoring = "");
 // The arguments with the choices of their protocol where the user made none of his own.
 FitArguments with_protocol(FitArguments arguments);
 CompareOptions compare_options(const FitArguments& arguments);

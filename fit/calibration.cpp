@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/scout.h"
+
 namespace swarmfit {
 namespace {
 
 constexpr double kLeadersApart = 0.1;     // in the unit cube: far enough that they do not share their luck
 constexpr double kFinalistsApart = 0.02;  // near ones are all but the same model
 constexpr std::size_t kFinalists = 12;
+constexpr int kScoutShare = 4;  // fewer candidates than so many times the scout's runs are not worth it
 
 // Later passes start from what is known, rescored, so they search so many times less. Least of all the whole space on few replicates:
 // there all that is left to find is luck.
@@ -30,6 +33,8 @@ bool near_any(const Point& x, const std::vector<Evaluated>& chosen, double apart
 ModelSearch::ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target,
                          const CompareOptions& options, std::vector<HistoryRow>& history, Journal* journal)
     : index_(index),
+      conditions_(conditions),
+      target_(target),
       options_(options),
       space_(model, conditions.scales, options.requests),
       objective_(model, conditions, target, journal),
@@ -49,6 +54,7 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
     if (number == 1) {  // the table's defaults are in the recording's scales: the one candidate that is not a guess
       keep(search_, space_.start(), simulate(search_, {space_.start()}, space_, objective_).front(), number, "search");
       ++evaluations_;
+      scout_ahead(weighting, on_search);
     }
     const auto &wide = options_.budget.search, &narrow = options_.budget.selection;
     const auto before = evaluations_;
@@ -72,6 +78,21 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
   conclude(number, weighting);
 }
 
+void ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch& on_search) {
+  const ScoutSize& size = options_.budget.scout;
+  const std::int64_t runs = std::int64_t{size.rounds} * size.simulations;
+  if (runs == 0 || (options_.max_evaluations > 0 && options_.max_evaluations < kScoutShare * runs)) return;
+  const double best = -leaders(search_, weighting, 1, 0.0).front().cost;
+  bool on = true;
+  const auto points = scout(space_, objective_, conditions_, target_, rng_.derive(Stream::posterior, 0), size,
+                            [&](std::int64_t simulations) { return on = on_search(simulations, best); });
+  if (!on) throw Interrupted{};
+  const auto outcomes = simulate(search_, points, space_, objective_);
+  for (std::size_t k = 0; k < points.size(); ++k) keep(search_, points[k], outcomes[k], 1, "search");
+  evaluations_ += runs + static_cast<std::int64_t>(points.size());
+  simulations_ += runs;
+}
+
 void ModelSearch::suggest(const ModelSearch& other) {
   if (space_.dimensions() == 0) return;
   for (const Point& rest : {selected_.x, Point(Point::Zero(space_.dimensions()))})
@@ -80,7 +101,8 @@ void ModelSearch::suggest(const ModelSearch& other) {
 
 std::int64_t ModelSearch::planned(int number) const {
   const auto& budget = options_.budget;
-  return candidates(budget.search, search_.stream, number) * budget.search.replicates +
+  return (number == 1 ? std::int64_t{budget.scout.rounds} * budget.scout.simulations : 0) +
+         candidates(budget.search, search_.stream, number) * budget.search.replicates +
          candidates(budget.selection, selection_.stream, number) * budget.selection.replicates;
 }
 

@@ -22,8 +22,8 @@ class ModelSearch {
   ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target,
               const CompareOptions& options, std::vector<HistoryRow>& history, Journal* journal);
 
-  // One calibration pass, in rounds of fewer candidates and more replicates: rescores what is known, searches, searches again about the
-  // leaders, confirms the best of those, and reports the winner on seeds that had no part in choosing it.
+  // One calibration pass, in rounds of fewer candidates and more replicates: scouts (the first pass), rescores what is known, searches,
+  // searches again about the leaders, confirms the best of those, and reports the winner on seeds that had no part in choosing it.
   void pass(int number, const Weighting& weighting, const OnSearch& on_search);
 
   // The next pass tries what another search has selected: together with this one's own parameters, and with the lowest of all that the
@@ -43,6 +43,7 @@ class ModelSearch {
   std::span<const Rng> final_seeds() const { return final_seeds_; }
 
  private:
+  void scout_ahead(const Weighting& weighting, const OnSearch& on_search);
   static Round on_seeds(const CompareOptions& options, Stream stream, int replicates);
   // The best of an archive under these weights, no two nearer than `apart` in the unit cube: by what a search minimises, or by the score.
   static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,
@@ -54,6 +55,8 @@ class ModelSearch {
   void conclude(int number, const Weighting& weighting);
 
   std::size_t index_;
+  const Conditions& conditions_;
+  const Target& target_;
   const CompareOptions& options_;
   SearchSpace space_;
   Objective objective_;

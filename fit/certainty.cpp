@@ -6,34 +6,63 @@
 #include <tuple>
 
 #include "fit/race.h"
+#include "libeval/energy_score.h"
 
 namespace swarmfit {
 namespace {
 
-// Energies between a recording and a model that is represented by these runs; as in Objective, those that blew up count as the worst.
-Energies energies_of(const SingleRun& recording, const std::vector<const SingleRun*>& model, const Target& target) {
-  const std::size_t columns = target.columns().size();
-  PerColumn<Distribution> pooled(columns);
-  double failed = 0;
-  for (const SingleRun* run : model) {
-    failed += run->failed;
-    for (std::size_t j = 0; !run->failed && j < columns; ++j) pooled[j].histogram.add(run->distributions[j].histogram);
+// A law that recordings are measured against. Each is compared with the `pooled` runs after its own number, so that it is never compared
+// with itself.
+class Against {
+ public:
+  Against(const Law& law, const Target& target, int pooled) : law_(law), target_(target), pooled_(static_cast<std::size_t>(pooled)) {
+    if (target.binning().pooled) return;
+    std::vector<Densities> runs;
+    for (const SingleRun& run : law)
+      if (!run.failed) runs.push_back(target.densities(run.distributions));
+    half_spread_ = spread(runs, target.worst()).mean;
+    for (double& s : half_spread_) s /= 2;
   }
-  failed /= static_cast<double>(model.size());
-  Energies out = failed < 1 ? target.energies_between(recording.distributions, pooled) : Energies(columns, NAN);
-  for (std::size_t j = 0; j < columns; ++j) {
-    const double energy = std::isfinite(out[j]) ? out[j] : target.worst();
-    out[j] = target.defined(j) ? (1 - failed) * energy + failed * target.worst() : NAN;
-  }
-  return out;
-}
 
-// The runs that stand for a model when run `k` of a law is the recording: the next ones.
-std::vector<const SingleRun*> others(const Law& law, std::size_t k, int pooled) {
-  std::vector<const SingleRun*> out;
-  for (int i = 1; i <= pooled; ++i) out.push_back(&law[(k + static_cast<std::size_t>(i)) % law.size()]);
-  return out;
-}
+  // As in Objective, runs that blew up count as the worst.
+  Energies operator()(const SingleRun& recording, std::size_t number) const {
+    const std::size_t columns = target_.columns().size();
+    std::vector<const SingleRun*> runs;
+    for (std::size_t i = 1; i <= pooled_; ++i)
+      if (const SingleRun& run = law_[(number + i) % law_.size()]; !run.failed) runs.push_back(&run);
+    const double failed = 1 - static_cast<double>(runs.size()) / static_cast<double>(pooled_);
+    Energies out = runs.empty() ? Energies(columns, NAN) : target_.binning().pooled ? from_pool(recording, runs) : scored(recording, runs);
+    for (std::size_t j = 0; j < columns; ++j) {
+      const double energy = std::isfinite(out[j]) ? out[j] : target_.worst();
+      out[j] = target_.defined(j) ? (1 - failed) * energy + failed * target_.worst() : NAN;
+    }
+    return out;
+  }
+
+ private:
+  Energies from_pool(const SingleRun& recording, const std::vector<const SingleRun*>& runs) const {
+    PerColumn<Distribution> pool(target_.columns().size());
+    for (const SingleRun* run : runs)
+      for (std::size_t j = 0; j < pool.size(); ++j) pool[j].histogram.add(run->distributions[j].histogram);
+    return target_.energies_between(recording.distributions, pool);
+  }
+
+  Energies scored(const SingleRun& recording, const std::vector<const SingleRun*>& runs) const {
+    Energies out(target_.columns().size(), 0.0);
+    for (const SingleRun* run : runs) {
+      const Energies away = target_.energies_between(recording.distributions, run->distributions);
+      for (std::size_t j = 0; j < out.size(); ++j)
+        out[j] += (std::isfinite(away[j]) ? away[j] : target_.worst()) / static_cast<double>(runs.size());
+    }
+    for (std::size_t j = 0; j < out.size(); ++j) out[j] -= half_spread_[j];
+    return out;
+  }
+
+  const Law& law_;
+  const Target& target_;
+  std::size_t pooled_;
+  Energies half_spread_;
+};
 
 bool long_enough(const std::vector<Law>& laws, int pooled) {
   return !laws.empty() && std::all_of(laws.begin(), laws.end(), [&](const Law& law) {
@@ -43,9 +72,10 @@ bool long_enough(const std::vector<Law>& laws, int pooled) {
 
 // Raw energies of a model's own recordings, without those that blew up.
 std::vector<Energies> own_energies(const Law& law, const Target& target, int pooled) {
+  const Against model(law, target, pooled);
   std::vector<Energies> out;
   for (std::size_t k = 0; k < law.size(); ++k)
-    if (!law[k].failed) out.push_back(energies_of(law[k], others(law, k, pooled), target));
+    if (!law[k].failed) out.push_back(model(law[k], k));
   return out;
 }
 
@@ -107,12 +137,13 @@ ScoreDraws score_draws(const std::vector<FitResult>& models, const Laws& laws, c
   ScoreDraws out{Eigen::VectorXd(columns), Eigen::MatrixXd::Constant(rows, columns, NAN)};
   for (Eigen::Index m = 0; m < columns; ++m) {
     const auto model = static_cast<std::size_t>(m);
+    const Against law(laws.of[model], target, pooled);
     out.scores(m) = models[model].score;
     for (Eigen::Index b = 0; b < rows; ++b) {
       const auto k = static_cast<std::size_t>(b);
       if (recordings[k].failed) continue;
       const double missed = laws.scatter[model] * laws.root.normal2(Stream::law, k, static_cast<std::uint32_t>(m))[0];
-      out.draws(b, m) = missed - cost_of(energies_of(recordings[k], others(laws.of[model], k, pooled), target), weighting);
+      out.draws(b, m) = missed - cost_of(law(recordings[k], k), weighting);
     }
   }
   return out;

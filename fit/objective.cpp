@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fit/observe.h"
+#include "libeval/energy_score.h"
 #include "libtrack/kinematics.h"
 
 namespace swarmfit {
@@ -96,6 +97,21 @@ Objective::Trial Objective::run(const std::vector<double>& candidate, const Rng&
   return trial;
 }
 
+// The energy score of the runs that ended well; their replicates become its parts.
+Energies Objective::scored(const std::vector<Trial>& trials, std::vector<Energies>& replicates) const {
+  std::vector<Densities> runs;
+  std::vector<Energies> away;
+  for (const Trial& trial : trials) {
+    if (trial.failed) continue;
+    runs.push_back(target_.densities(trial.distributions));
+    away.push_back(trial.raw);
+  }
+  EnergyScore score = energy_score(std::move(away), spread(runs, target_.worst()));
+  for (std::size_t r = 0, k = 0; r < trials.size(); ++r)
+    if (!trials[r].failed) replicates[r] = std::move(score.runs[k++]);
+  return score.value;
+}
+
 Outcome Objective::pool(const std::vector<Trial>& trials) const {
   const std::size_t columns = target_.columns().size();
   Outcome out;
@@ -116,7 +132,8 @@ Outcome Objective::pool(const std::vector<Trial>& trials) const {
   if (target_.binning().normalisation == Normalisation::separate) out.distributions = target_.distributions(samples);
   const double failed = static_cast<double>(out.failed) / static_cast<double>(trials.size());
   const auto off = target_.misplacement(out.distributions);
-  const Energies good = failed < 1 ? target_.energies(out.distributions) : Energies{};
+  Energies good;
+  if (failed < 1) good = target_.binning().pooled ? target_.energies(out.distributions) : scored(trials, out.replicates);
   for (std::size_t m = 0; m < columns; ++m) {
     const double energy = failed < 1 && std::isfinite(good[m]) ? good[m] : target_.worst();
     out.raw[m] = target_.defined(m) ? (1 - failed) * energy + failed * target_.worst() : NAN;

@@ -51,6 +51,7 @@ class Objective {
   // Outcomes of those that are wanted, from the journal or from as many more trials as it takes.
   std::vector<Outcome> outcomes(std::vector<std::vector<Trial>>& trials, const Candidates& candidates, const std::vector<bool>& wanted,
                                 std::span<const Rng> seeds) const;
+  Energies scored(const std::vector<Trial>& trials, std::vector<Energies>& replicates) const;
   Outcome pool(const std::vector<Trial>& trials) const;
   Tracks simulate(const std::vector<double>& candidate, const Rng& seed, int finer, Counters& count, bool& blew_up) const;
 

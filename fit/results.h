@@ -20,6 +20,11 @@ struct SearchSize {
   int replicates;
 };
 
+// Simulations that a search starts from (fit/scout.h): of this many rounds, each of so many.
+struct ScoutSize {
+  int rounds, simulations;
+};
+
 // How much searching is done per model and calibration pass (docs/search.md).
 struct Budget {
   std::string name;
@@ -28,7 +33,9 @@ struct Budget {
   int confirmation_replicates;  // the best of those, on seeds that favour none of them
   int final_replicates;         // the winner, on seeds that had no part in choosing it
   int passes;                   // of the calibration loop, at most
+  ScoutSize scout = {0, 0};     // none
 };
+
 // A recording in a few numbers, as stored with results.
 struct DataFacts {
   std::string path, sha256, format, columns, unit;

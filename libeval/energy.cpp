@@ -141,7 +141,7 @@ double quantile(std::vector<double> values, double p) {
 Binning Binning::standard(Normalisation normalisation) {
   switch (normalisation) {
     case Normalisation::separate:
-      return {normalisation, -5, 5, 100, false};
+      return {normalisation, -5, 5, 100, false, true};
     case Normalisation::none:
       return {normalisation, -5, 5, 100, true};
     case Normalisation::reference:
@@ -242,6 +242,12 @@ Energies Target::energies_between(const PerColumn<Distribution>& one, const PerC
     energy[m] =
         l1_distance(density(one[m].histogram, binning_.lower, binning_.upper), density(other[m].histogram, binning_.lower, binning_.upper));
   return energy;
+}
+
+Densities Target::densities(const PerColumn<Distribution>& simulated) const {
+  Densities out(columns_.size());
+  for (std::size_t m = 0; m < columns_.size(); ++m) out[m] = density(simulated[m].histogram, binning_.lower, binning_.upper);
+  return out;
 }
 
 PerColumn<double> Target::misplacement(const PerColumn<Distribution>& simulated) const {

@@ -22,6 +22,7 @@ struct Binning {
   double lower = -5, upper = 10;  // u1, u2 of the z-scores (separate, none: -5, 5)
   int bins = 150;                 // M (separate, none: 100)
   bool clip = true;               // samples outside are counted in the end bins too (separate: false)
+  bool pooled = false;            // runs of a model are pooled and compared, as published (separate: true), else scored (energy_score.h)
   static Binning standard(Normalisation);
 };
 
@@ -57,6 +58,8 @@ struct Distribution {
 
 using Energies = PerColumn<double>;  // NaN: undefined
 
+using Densities = PerColumn<std::vector<double>>;  // discrete PDFs; empty: no samples
+
 inline constexpr double kMostMisplaced = 7;  // Target::misplacement: about 1100 standard deviations off
 
 // The recording, prepared once; scores any number of simulations. Immutable, shared by threads.
@@ -75,6 +78,8 @@ class Target {
   Energies energies(const PerColumn<Distribution>& simulated) const;
   // The same between two sets that were binned on the recording's axes; NaN where one has no samples.
   Energies energies_between(const PerColumn<Distribution>& one, const PerColumn<Distribution>& other) const;
+  // Discrete PDFs of a set that was binned on the recording's axes; empty where it has no samples.
+  Densities densities(const PerColumn<Distribution>& simulated) const;
   // How far off the simulated means are, ln(1 + |difference| / scale of the z-score), at most kMostMisplaced. Distributions that do not
   // overlap all have the same energy, however far apart they are; this tells a search which way is nearer. 0 where energies are NaN, and
   // throughout under Normalisation::separate, where means do not count.

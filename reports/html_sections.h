@@ -21,6 +21,7 @@ Html weights_converged(const Comparison&);
 Html parameters(const Comparison&);
 Html search(const Comparison&);
 Html observation(const Comparison&);
+Html energy_formula(const Comparison&);
 Html methods(const Comparison&);  // a paragraph to paste
 Html model_references(const Comparison&);
 Html skill(const Comparison&);    // distances, floor and null; interaction

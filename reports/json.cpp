@@ -109,6 +109,7 @@ Json binning(const Comparison& c) {
           {"interval", {c.binning.lower, c.binning.upper}},
           {"bins", c.binning.bins},
           {"clip", c.binning.clip},
+          {"scoring", c.binning.pooled ? "pooled" : "proper"},
           {"axis_lower", per_column(c.columns, c.axis_lower)},
           {"axis_width", per_column(c.columns, c.axis_width)},
           {"defined", per_column(c.columns, c.defined)}};
@@ -251,6 +252,7 @@ std::string to_json(const Comparison& c) {
       {"budget",
        {{"name", c.budget.name},
         {"search", search_size(c.budget.search)},
+        {"scout", {{"rounds", c.budget.scout.rounds}, {"simulations", c.budget.scout.simulations}}},
         {"selection", search_size(c.budget.selection)},
         {"confirmation_replicates", c.budget.confirmation_replicates},
         {"final_replicates", c.budget.final_replicates},

@@ -63,8 +63,7 @@ PaperTable ranking(const Comparison& c) {
 
 PaperTable energies(const Comparison& c) {
   PaperTable t{"energies",
-               "Raw energies (L1 distance of the discrete PDFs; 0: alike, " + brief(worst_energy(c.binning)) +
-                   ": disjoint), ± one standard error, and the p1 and p2 that normalise them. " + origin(c),
+               "Raw energies (" + what_energy_means(c) + "), ± one standard error, and the p1 and p2 that normalise them. " + origin(c),
                metric_head(c, {"model"}),
                {}};
   for (const FitResult& r : c.models)

@@ -184,7 +184,7 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   out += finite_skill(c) ? " skill: 1 as alike as the recording is to itself, 0 no better than its surrogates\n" : "";
 
   out += energy_tables(c, style);
-  out += fmt::format(" raw energy: 0 alike .. {} disjoint\n", brief(worst_energy(c.binning)));
+  out += paragraph("raw energy: " + what_energy_means(c), " ");
   if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += paragraph(drowned, " ");
   if (const std::string lags = lag_weights(c) + lags_measured(c); !lags.empty()) out += paragraph(lags, " ");
   out += panel_text(c, style);

@@ -261,4 +261,12 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+std::string what_energy_means(const Comparison& c) {
+  const std::string worst = brief(worst_energy(c.binning));
+  if (c.binning.pooled) return fmt::format("the L1 distance of the distributions, 0 alike .. {} disjoint", worst);
+  return fmt::format(
+      "the energy score, distance of simulations from the recording less half that between simulations; lower is better, {} the worst",
+      worst);
+}
+
 }  // namespace swarmfit

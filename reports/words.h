@@ -75,4 +75,7 @@ std::string enumerate(const std::vector<std::string>& items);
 // Text of unknown origin with control characters (terminal escapes, line breaks) replaced by "?".
 std::string printable(std::string_view text);
 
+// What a raw energy is, and between which numbers it lies.
+std::string what_energy_means(const Comparison&);
+
 }  // namespace swarmfit

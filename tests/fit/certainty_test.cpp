@@ -19,7 +19,8 @@ constexpr int kPooled = 3;
 
 // A swarm made by bswarm, and models on it that are fitted to it by decree.
 struct Scene {
-  explicit Scene(std::uint64_t seed) : recording(test::planted_swarm(seed)) {}
+  explicit Scene(std::uint64_t seed, Binning how = Binning::standard(Normalisation::reference))
+      : recording(test::planted_swarm(seed)), binning(how) {}
 
   // The truth, with the noise times a factor.
   std::vector<double> values(double noise) const {
@@ -44,8 +45,9 @@ struct Scene {
 
   ModelChoice model = parse_model("bswarm");
   Tracks recording;
+  Binning binning;
   Conditions conditions = make_conditions(recording, {});
-  Target target{metric_samples(recording), Binning::standard(Normalisation::reference)};
+  Target target{metric_samples(recording), binning};
   Objective objective{model, conditions, target};
   Weighting weighting = initial_weighting(std::vector<bool>(kMetrics, true), target.worst());
   std::vector<FitResult> fits;
@@ -110,29 +112,47 @@ TEST(Certainty, SearchScatterByHand) {
   EXPECT_THAT(search_scatter({passes({1, NAN}), passes({1, NAN})}, w), Each(0));
 }
 
-// A recording, three runs that stand for a model: energies by hand, with one of the runs blown up.
-TEST(Certainty, OwnEnergiesAreThoseOfTheNextRunsPooled) {
-  Scene s(3);
-  s.add(1, kPooled + 2);
-  s.laws.of[0][2].failed = true;
-  s.laws.of[0][2].distributions = PerColumn<Distribution>(kMetrics);
-  s.fill();
-  Energies expected(kMetrics, 0.0);
-  for (const std::size_t k : {0u, 1u, 3u, 4u}) {
-    Histogram pooled;
-    int failed = 0;
-    for (std::size_t i = 1; i <= kPooled; ++i) {
-      if (const SingleRun& run = s.laws.of[0][(k + i) % 5]; run.failed)
-        ++failed;
-      else
-        pooled.add(run.distributions[kSpeed].histogram);
+double l1(const Histogram& a, const Histogram& b) {
+  const auto p = density(a, -5, 10), q = density(b, -5, 10);
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) sum += std::abs(p[i] - q[i]);
+  return sum;
+}
+
+// A law of five runs, one of which blew up; every other is measured against the next three. By hand, as pooled distances and as scores.
+TEST(Certainty, OwnEnergiesAreThoseOfTheNextRuns) {
+  for (const bool pooled : {false, true}) {
+    Binning binning = Binning::standard(Normalisation::reference);
+    binning.pooled = pooled;
+    Scene s(3, binning);
+    s.add(1, kPooled + 2);
+    Law& law = s.laws.of[0];
+    law[2].failed = true;
+    law[2].distributions = PerColumn<Distribution>(kMetrics);
+    s.fill();
+    const auto speeds = [&](std::size_t k) -> const Histogram& { return law[k].distributions[kSpeed].histogram; };
+    double pairs = 0;
+    for (const std::size_t a : {0u, 1u, 3u, 4u})
+      for (const std::size_t b : {0u, 1u, 3u, 4u}) pairs += l1(speeds(a), speeds(b)) / 12;
+    double expected = 0;
+    for (const std::size_t k : {0u, 1u, 3u, 4u}) {
+      Histogram pool;
+      double away = 0;
+      int failed = 0;
+      for (std::size_t i = 1; i <= kPooled; ++i) {
+        const std::size_t other = (k + i) % 5;
+        if (other == 2) {
+          ++failed;
+          continue;
+        }
+        pool.add(speeds(other));
+        away += l1(speeds(k), speeds(other));
+      }
+      const double good = pooled ? l1(speeds(k), pool) : away / (kPooled - failed) - pairs / 2;
+      expected += ((kPooled - failed) * good + failed * s.target.worst()) / kPooled / 4;
     }
-    const auto p = density(s.laws.of[0][k].distributions[kSpeed].histogram, -5, 10), q = density(pooled, -5, 10);
-    double sum = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) sum += std::abs(p[i] - q[i]);
-    expected[kSpeed] += ((kPooled - failed) * sum + failed * s.target.worst()) / kPooled / 4;
+    EXPECT_NEAR(s.fits[0].certainty.own[kSpeed], expected, 1e-12);
   }
-  EXPECT_NEAR(s.fits[0].certainty.own[kSpeed], expected[kSpeed], 1e-12);
 }
 
 TEST(Certainty, TooFewRecordingsTellNothing) {
