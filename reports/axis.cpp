@@ -98,7 +98,7 @@ Axis logarithmic(double lower, double upper) {
   axis.lower = power_of_ten(decade(lower));
   for (const int times : {2, 5})
     if (times * power_of_ten(decade(lower)) <= lower * (1 + kHair)) axis.lower = times * power_of_ten(decade(lower));
-  axis.upper = round_step(upper * (1 + 1e-6));
+  axis.upper = round_step(upper);
   if (!(axis.upper > axis.lower)) axis.upper = 10 * axis.lower;
   const bool few = axis.upper / axis.lower < 150;
   for (int exponent = decade(axis.lower); power_of_ten(exponent) <= axis.upper * (1 + kHair); ++exponent)

@@ -92,9 +92,19 @@ Density density_at(const Comparison& c, std::size_t m) {
   return d;
 }
 
-void draw_curves(plot::Panel& panel, const Density& d) {
-  panel.area(d.curves.front());
-  for (std::size_t k = d.curves.size() - 1; k > 0; --k) panel.curve(d.curves[k], k - 1, k == 1 ? 1.1 : 0.9);  // the winner last, on top
+// With one point on either side, where the frame cuts the line.
+Curve within(const Density& d, const Curve& curve, double bin) {
+  Curve out;
+  for (const Point& p : curve)
+    if (p.x > d.left - bin && p.x < d.right + bin) out.push_back(p);
+  return out;
+}
+
+void draw_curves(plot::Panel& panel, const Comparison& c, const Density& d) {
+  const double bin = c.axis_width[d.column];
+  panel.area(within(d, d.curves.front(), bin));
+  for (std::size_t k = d.curves.size() - 1; k > 0; --k)
+    panel.curve(within(d, d.curves[k], bin), k - 1, k == 1 ? 1.1 : 0.9);  // the winner last, on top
 }
 
 svg::Text density_title(const Comparison& c, const Density& d, const plot::Axis& y) {
@@ -147,7 +157,7 @@ void draw_small(svg::Sheet& sheet, const Comparison& c, const Density& d, const 
   const svg::Box box{cell.left + kLeft, cell.top + kAbove, cell.width - kLeft - kRight, kPlotHeight};
   const plot::Axis x = plot::linear(d.left, d.right, {5, box.width, true}), y = plot::linear(0, d.top, {4, 0, true});
   plot::Panel panel(sheet, box, x, y);
-  draw_curves(panel, d);
+  draw_curves(panel, c, d);
   panel.x_axis({});
   panel.y_axis({});
   sheet.text({cell.left, cell.top + 10}, density_title(c, d, y));
@@ -210,7 +220,7 @@ Figure density_of(const Comparison& c, std::size_t m) {
   const svg::Box box{26, top, sheet.width() - 34, 112};
   const plot::Axis x = plot::linear(d.left, d.right, {6, box.width, true}), y = plot::linear(0, d.top, {4, 0, true});
   plot::Panel panel(sheet, box, x, y);
-  draw_curves(panel, d);
+  draw_curves(panel, c, d);
   panel.x_axis(svg::plain(column.name() + ' ') + symbol_and_unit(c, d, x));
   panel.y_axis({});
   sheet.text({4, top - 5}, density_title(c, d, y));

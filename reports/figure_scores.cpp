@@ -107,7 +107,7 @@ plot::Axis energy_axis(const Comparison& c) {
   for (const FitResult& r : c.models)
     for (std::size_t m = 0; m < c.columns.size(); ++m)
       for (const double e : {r.raw_energies[m], r.raw_energies[m] + r.raw_se[m]})
-        if (e > 0) range.include(e);
+        if (e > 0) range.include(std::min(e, worst_energy(c.binning)));
   // A model without noise repeats its own recordings: energies of rounding.
   const double least = range.upper * kDeepest;
   for (const FitResult& r : c.models)

@@ -83,6 +83,11 @@ std::string Panel::outline(const Curve& curve) const {
   return d;
 }
 
+int Panel::clip() {
+  if (clip_ == 0) clip_ = sheet_.clip(box_);
+  return clip_;
+}
+
 void Panel::area(const Curve& curve) {
   Curve closed;
   for (const Point& p : curve)
@@ -90,10 +95,10 @@ void Panel::area(const Curve& curve) {
   if (closed.empty()) return;
   closed.insert(closed.begin(), {closed.front().x, y_.lower});
   closed.push_back({closed.back().x, y_.lower});
-  sheet_.path(outline(closed) + 'z', {kRecordingLine, 0.4, ""}, kRecordingFill, box_);
+  sheet_.path(outline(closed) + 'z', {kRecordingLine, 0.4, ""}, kRecordingFill, clip());
 }
 
-void Panel::curve(const Curve& curve, const Stroke& stroke) { sheet_.path(outline(curve), stroke, "none", box_); }
+void Panel::curve(const Curve& curve, const Stroke& stroke) { sheet_.path(outline(curve), stroke, "none", clip()); }
 
 void Panel::curve(const Curve& points, std::size_t series, double width) {
   curve(points, Stroke{look(series).colour, width, look(series).dash});
@@ -144,12 +149,7 @@ void Panel::y_ticks() {
 
 void Panel::y_axis(const svg::Text& title) {
   y_ticks();
-  sheet_.text({box_.left - kTick - kGap, box_.top - 5}, title);
-}
-
-void Panel::y_axis_turned(const svg::Text& title, double left) {
-  y_ticks();
-  sheet_.turned_text({left, box_.top + box_.height / 2}, title);
+  if (!title.markup.empty()) sheet_.text({box_.left - kTick - kGap, box_.top - 5}, title);
 }
 
 double entry_width(const Entry& entry) { return kSampleWidth + kAfterSample + kWider * svg::plain(entry.name).width + kAfterEntry; }

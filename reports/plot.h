@@ -38,7 +38,6 @@ class Panel {
 
   void x_axis(const svg::Text& title);
   void y_axis(const svg::Text& title);  // the title stands above the axis, where it can be read without turning the page
-  void y_axis_turned(const svg::Text& title, double left);  // or beside it, its base line at `left`
 
   svg::Point place(svg::Point value) const;  // on the sheet
   const svg::Box& box() const { return box_; }
@@ -46,9 +45,11 @@ class Panel {
  private:
   std::string outline(const Curve& curve) const;
   void y_ticks();
+  int clip();  // made when it is needed
   svg::Sheet& sheet_;
   svg::Box box_;
   Axis x_, y_;
+  int clip_ = 0;
 };
 
 // A marker at a place of the sheet.

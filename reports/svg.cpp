@@ -105,14 +105,15 @@ void Sheet::line(Point from, Point to, const Stroke& stroke) {
                        stroke_attributes(stroke));
 }
 
-void Sheet::path(const std::string& d, const Stroke& stroke, std::string_view fill, const Box& clip) {
+int Sheet::clip(const Box& box) {
+  body_ += fmt::format("<clipPath id=\"c{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n", ++clips_, length(box.left),
+                       length(box.top), length(box.width), length(box.height));
+  return clips_;
+}
+
+void Sheet::path(const std::string& d, const Stroke& stroke, std::string_view fill, int clip) {
   if (d.empty()) return;
-  std::string inside;
-  if (clip.width > 0) {
-    body_ += fmt::format("<clipPath id=\"c{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n", ++clips_,
-                         length(clip.left), length(clip.top), length(clip.width), length(clip.height));
-    inside = fmt::format(" clip-path=\"url(#c{})\"", clips_);
-  }
+  const std::string inside = clip > 0 ? fmt::format(" clip-path=\"url(#c{})\"", clip) : std::string();
   body_ += fmt::format("<path d=\"{}\" fill=\"{}\"{}{}/>\n", d, fill, stroke_attributes(stroke), inside);
 }
 

@@ -53,8 +53,9 @@ class Sheet {
   double width() const { return width_mm_ * 72 / 25.4; }
 
   void line(Point from, Point to, const Stroke& stroke = {});
-  // `d` as in SVG. Inside `clip`, if it has a size; `fill` may be "none".
-  void path(const std::string& d, const Stroke& stroke, std::string_view fill = "none", const Box& clip = {});
+  int clip(const Box& box);  // for paths that are to be cut there
+  // `d` as in SVG; `fill` may be "none"; `clip` as returned above, 0: whole.
+  void path(const std::string& d, const Stroke& stroke, std::string_view fill = "none", int clip = 0);
   void rectangle(const Box& box, std::string_view fill, const Stroke& stroke);
   void text(Point at, const Text& text, Anchor anchor = Anchor::start, std::string_view colour = kInk);  // `at`: on the base line
   void turned_text(Point at, const Text& text);                                                          // upwards, centred about `at`
