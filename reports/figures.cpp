@@ -62,10 +62,12 @@ std::string captions_markdown(const std::vector<Figure>& figures) {
 
 std::string captions_latex(const std::vector<Figure>& figures) {
   std::string out = "% needs \\usepackage{graphicx}, and the figures as PDF beside it\n";
-  for (const Figure& f : figures)
+  for (const Figure& f : figures) {
+    const std::string_view environment = f.svg.find("width=\"178mm\"") == std::string::npos ? "figure" : "figure*";
     out += fmt::format(
-        "\\begin{{figure}}\n  \\centering\n  \\includegraphics{{{0}.pdf}}\n  \\caption{{{1}}}\n  \\label{{fig:{0}}}\n\\end{{figure}}\n\n",
-        f.name, latex_text(f.caption));
+        "\\begin{{{0}}}\n  \\centering\n  \\includegraphics{{{1}.pdf}}\n  \\caption{{{2}}}\n  \\label{{fig:{1}}}\n\\end{{{0}}}\n\n",
+        environment, f.name, latex_text(f.caption));
+  }
   return out;
 }
 

@@ -10,6 +10,7 @@
 
 #include "libtrack/file.h"
 #include "reports/number.h"
+#include "reports/text_table.h"
 #include "reports/words.h"
 
 namespace swarmfit {
@@ -165,6 +166,18 @@ std::string latex_row(const Row& cells) {
 // One letter per column: the first to the left, the others to the right, if nothing else is said.
 std::string alignment(const PaperTable& t) { return t.align.empty() ? 'l' + std::string(t.head.size() - 1, 'r') : t.align; }
 
+// Does it need both columns of a page? By its longest cells.
+bool wide(const PaperTable& t) {
+  constexpr std::size_t kColumn = 56;  // characters in 85 mm
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < t.head.size(); ++k) {
+    std::size_t longest = display_width(t.head[k]);
+    for (const Row& row : t.rows) longest = std::max(longest, display_width(row[k]));
+    sum += longest + 1;
+  }
+  return sum > kColumn;
+}
+
 }  // namespace
 
 std::vector<PaperTable> paper_tables(const Comparison& c) {
@@ -191,13 +204,14 @@ std::string to_markdown(const PaperTable& t) {
 }
 
 std::string to_latex(const PaperTable& t) {
+  const std::string_view environment = wide(t) ? "table*" : "table";
   std::string out = fmt::format(
-      "% needs \\usepackage{{booktabs}}\n\\begin{{table}}\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n  \\centering\n  "
+      "% needs \\usepackage{{booktabs}}\n\\begin{{{}}}\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n  \\centering\n  "
       "\\footnotesize\\setlength{{\\tabcolsep}}{{3pt}}\n",
-      latex_text(t.caption), t.name);
+      environment, latex_text(t.caption), t.name);
   out += fmt::format("  \\begin{{tabular}}{{{}}}\n    \\toprule\n{}    \\midrule\n", alignment(t), latex_row(t.head));
   for (const Row& row : t.rows) out += latex_row(row);
-  return out + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+  return out + fmt::format("    \\bottomrule\n  \\end{{tabular}}\n\\end{{{}}}\n", environment);
 }
 
 void write_table(const std::string& dir, const PaperTable& t) {

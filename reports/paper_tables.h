@@ -26,7 +26,7 @@ struct PaperTable {
 std::vector<PaperTable> paper_tables(const Comparison&);
 
 std::string to_markdown(const PaperTable&);
-// A table environment; needs \usepackage{booktabs}. Text of any origin is shown as text.
+// A table environment, table* for one that is wider than a column; needs \usepackage{booktabs}. Text of any origin is shown as text.
 std::string to_latex(const PaperTable&);
 
 // DIR/NAME.md and DIR/NAME.tex.

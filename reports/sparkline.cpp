@@ -95,7 +95,7 @@ std::string shapes_text(const Shapes& s, std::size_t first, const std::string& t
 }
 
 std::string what_shapes_mean() {
-  return "distribution: each to its own height, where the recording is; what lies beyond is counted at the ends";
+  return "distribution: each to its own height, over the recording's range; the ends count what lies beyond";
 }
 
 }  // namespace swarmfit

@@ -160,6 +160,7 @@ TEST(Figures, PosteriorsAreBarsBesideTheirValues) {
 
 TEST(Figures, CaptionsComeInBothLanguages) {
   const std::vector<Figure> all = {{"density_v", "A_b 5 %.", "<svg/>"}};
+  EXPECT_THAT(captions_latex({{"scores", "", "<svg width=\"178mm\"/>"}}), HasSubstr("\\begin{figure*}")) << "as wide as a page";
   EXPECT_EQ(captions_markdown(all), "**density\\_v.svg** A\\_b 5 %.\n");
   EXPECT_THAT(captions_latex(all), HasSubstr("\\includegraphics{density_v.pdf}\n  \\caption{A\\_b 5 \\%.}\n  \\label{fig:density_v}"));
 }

@@ -60,6 +60,11 @@ TEST(PaperTables, LatexByHand) {
             "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n");
 }
 
+TEST(PaperTables, WideTablesTakeBothColumnsOfAPage) {
+  EXPECT_THAT(to_latex(named("energies")), testing::AllOf(HasSubstr("\\begin{table*}"), HasSubstr("\\end{table*}")));
+  EXPECT_THAT(to_latex({"x", "", {"model", "v"}, {{"boids", "1"}}}), HasSubstr("\\begin{table}"));
+}
+
 TEST(PaperTables, TheRankingHasGroupsSkillAndTheHeldOutHalf) {
   Comparison c = sample_comparison();
   c.models[0].skill = {-0.07, 0.02};
