@@ -18,6 +18,7 @@ using svg::Point;
 
 constexpr double kRecorded = 0.01, kSimulated = 0.02;  // shares of the samples on either side of what is shown
 constexpr double kTallest = 2;                         // a model's peak beyond this many of the recording's is cut
+constexpr std::size_t kMost = 8;                       // models that can be told apart in one panel
 constexpr double kMuch = 0.05;                         // share of samples beyond the axis that is worth saying
 
 // One column, ready to be drawn.
@@ -28,6 +29,15 @@ struct Density {
   std::vector<std::string> absent, cut, beyond;  // models
   bool drawn() const { return !curves.empty() && !curves.front().empty(); }
 };
+
+std::size_t drawn_models(const Comparison& c) { return std::min(kMost, c.models.size()); }
+
+// " Not drawn: ..."; empty if all are.
+std::string too_many(const Comparison& c) {
+  std::vector<std::string> names;
+  for (std::size_t k = drawn_models(c); k < c.models.size(); ++k) names.push_back(c.models[k].model);
+  return names.empty() ? std::string() : fmt::format(" Not drawn: {}.", enumerate(names));
+}
 
 // The bins that are drawn of a histogram: its end bins hold all that lies beyond them.
 std::pair<std::size_t, std::size_t> inner_bins(const Comparison& c, std::size_t bins) {
@@ -70,8 +80,10 @@ void set_frame(const Comparison& c, Density& d) {
   }
   if (across.empty()) across.include(d.curves.front().front().x), across.include(d.curves.front().back().x);
   const bool signed_values = c.columns[d.column].metric == kAngularAcceleration;
-  d.left = signed_values ? across.lower - half : std::max(0.0, across.lower - half);
+  constexpr double kNear = 0.25;  // an axis that begins as near to 0 as this begins there
+  d.left = across.lower - half;
   d.right = across.upper + half;
+  if (!signed_values && d.left < kNear * d.right) d.left = 0;
   d.top = 1.06 * std::min(highest, kTallest * peak);
   if (!(d.top > 0)) d.top = 1;
 }
@@ -81,13 +93,14 @@ Density density_at(const Comparison& c, std::size_t m) {
   d.column = m;
   d.curves.push_back(curve_of(c, m, c.recording[m].histogram));
   if (!d.drawn()) return d;
-  for (const FitResult& r : c.models) {
+  for (std::size_t k = 0; k < drawn_models(c); ++k) {
+    const FitResult& r = c.models[k];
     d.curves.push_back(curve_of(c, m, r.distributions[m].histogram));
     if (d.curves.back().empty()) d.absent.push_back(r.model);
     if (r.outside_fraction[m] > kMuch) d.beyond.push_back(fmt::format("{} ({})", r.model, percent(r.outside_fraction[m])));
   }
   set_frame(c, d);
-  for (std::size_t k = 0; k < c.models.size(); ++k)
+  for (std::size_t k = 0; k + 1 < d.curves.size(); ++k)
     if (peak_of(d.curves[k + 1]) > d.top) d.cut.push_back(c.models[k].model);
   return d;
 }
@@ -145,6 +158,7 @@ std::string about_binning(const Comparison& c) {
 
 std::vector<plot::Entry> entries(const Comparison& c) {
   std::vector<plot::Entry> out = model_entries(c, plot::Sample::line);
+  out.resize(drawn_models(c));
   out.insert(out.begin(), plot::Entry{plot::Sample::area, 0, "recording"});
   return out;
 }
@@ -184,7 +198,7 @@ Figure densities(const Comparison& c) {
   svg::Sheet sheet(svg::kTwoColumns);
   const bool titled = c.columns.size() > kMetrics;
   const double left = titled ? kRowTitle : 2, across = (sheet.width() - left) / kAcross, down = kAbove + kPlotHeight + kBelow;
-  std::string absent;
+  std::string absent = too_many(c);
   std::vector<Density> all;
   std::size_t place = 0;
   bool any = false;
@@ -224,7 +238,7 @@ Figure density_of(const Comparison& c, std::size_t m) {
   panel.x_axis(svg::plain(column.name() + ' ') + symbol_and_unit(c, d, x));
   panel.y_axis({});
   sheet.text({4, top - 5}, density_title(c, d, y));
-  const std::string absent = absences(c, d);
+  const std::string absent = too_many(c) + absences(c, d);
   double height = box.bottom() + 24;
   if (!absent.empty()) height = sheet.note(height + 8, std::string_view(absent).substr(1)) - 4;
   const std::string caption = fmt::format("Probability density of the {}: the recording (grey) and the model{}, best first.{}{}",

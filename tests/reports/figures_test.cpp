@@ -123,6 +123,16 @@ TEST(Figures, SeriesDifferWithoutColour) {
   EXPECT_EQ(std::adjacent_find(looks.begin(), looks.end()), looks.end());
 }
 
+TEST(Figures, NoMoreThanEightCurvesInAPanel) {
+  std::vector<Sketch> many;
+  for (int k = 0; k < 10; ++k) many.push_back({"m" + std::to_string(k), 0.9 - 0.05 * k, 0.01, 1 + 0.02 * k});
+  const Figure f = named(figures(sample_comparison(many)), "density_v");
+  EXPECT_EQ(occurrences(f.svg, "<path"), 1u + 8);
+  EXPECT_THAT(f.svg.substr(f.svg.find("<rect")), AllOf(HasSubstr(">m7</text>"), Not(HasSubstr(">m8</text>"))));
+  EXPECT_THAT(f.svg, HasSubstr(">Not drawn: m8 and m9.</text>"));
+  EXPECT_THAT(f.caption, HasSubstr("Not drawn: m8 and m9."));
+}
+
 // The peak of the sample's speed: of the recording the area's highest point, of a narrow model beyond twice that.
 TEST(Figures, APeakBeyondTwiceTheRecordingsIsCutAndSaid) {
   Comparison c = sample_comparison();
