@@ -204,7 +204,8 @@ Figure densities(const Comparison& c) {
   bool any = false;
   for (const std::size_t m : drawing_order(c)) {
     const Density d = density_at(c, m);
-    const double top = static_cast<double>(place / kAcross) * down;
+    const std::size_t row = place / kAcross;
+    const double top = static_cast<double>(row) * down;
     if (place % kAcross == 0 && titled && c.columns[m].motion())
       sheet.turned_text({7, top + kAbove + kPlotHeight / 2}, svg::plain(lag_title(c, m)));
     absent += absences(c, d);
@@ -218,8 +219,9 @@ Figure densities(const Comparison& c) {
       fmt::format("Probability densities of the metrics of motion: the recording (grey) and the model{}, best first.{}{}",
                   c.models.size() == 1 ? "" : "s", about_binning(c), absent + limits(c, all));
   const double legend_left = left + across * static_cast<double>(place % kAcross) + kLeft;
-  draw_legend(sheet, legend_left, static_cast<double>(place / kAcross) * down, entries(c));
-  double height = static_cast<double>(place / kAcross + 1) * down;
+  const std::size_t last_row = place / kAcross;
+  draw_legend(sheet, legend_left, static_cast<double>(last_row) * down, entries(c));
+  double height = static_cast<double>(last_row + 1) * down;
   if (!absent.empty()) height = sheet.note(height + 6, std::string_view(absent).substr(1)) - 4;
   return {"densities", caption, sheet.document(height, "Densities of the metrics", caption)};
 }

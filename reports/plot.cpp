@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 8> kColours = {"#0072b2", "#d55e00", "#00
                                                       "#e69f00", "#56b4e9", "#9a8700", "#4d4d4d"};
 constexpr std::array<std::string_view, 8> kDashes = {"",        "4 1.8", "1.2 1.2", "5 1.6 1.2 1.6",
                                                      "2.4 1.2", "7 2.4", "0.8 2",   "4 1.2 0.8 1.2 0.8 1.2"};
-constexpr int kShapes = 4;
+constexpr int kShapes = 4, kMarkers = 2 * kShapes;
 
 bool finite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
@@ -52,7 +52,7 @@ std::string shape(Point at, int marker) {
 Look look(std::size_t series) {
   // Beyond eight the colours return with other dashes.
   const std::size_t colour = series % kColours.size();
-  return {kColours[colour], kDashes[(series + series / kColours.size()) % kDashes.size()], static_cast<int>(series % (2 * kShapes))};
+  return {kColours[colour], kDashes[(series + series / kColours.size()) % kDashes.size()], static_cast<int>(series % kMarkers)};
 }
 
 void draw_marker(svg::Sheet& sheet, Point at, const Look& look, Fill fill) {
