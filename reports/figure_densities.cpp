@@ -222,7 +222,7 @@ Figure densities(const Comparison& c) {
   const std::size_t last_row = place / kAcross;
   draw_legend(sheet, legend_left, static_cast<double>(last_row) * down, entries(c));
   double height = static_cast<double>(last_row + 1) * down;
-  if (!absent.empty()) height = sheet.note(height + 6, std::string_view(absent).substr(1)) - 4;
+  if (!absent.empty()) height = sheet.note(height + 8, std::string_view(absent).substr(1)) - 4;
   return {"densities", caption, sheet.document(height, "Densities of the metrics", caption)};
 }
 

@@ -94,7 +94,9 @@ std::string shapes_text(const Shapes& s, std::size_t first, const std::string& t
   return table.text();
 }
 
-std::string what_shapes_mean() {
+std::string what_shapes_mean(const Binning& binning) {
+  if (binning.normalisation == Normalisation::separate)
+    return "distribution: each to its own height, and standardised by itself: only its shape is shown; the ends count what lies beyond";
   return "distribution: each to its own height, over the recording's range; the ends count what lies beyond";
 }
 

@@ -34,6 +34,6 @@ struct Shapes {
 std::string shapes_text(const Shapes&, std::size_t first, const std::string& title, TextStyle);
 
 // What to know before reading such a table.
-std::string what_shapes_mean();
+std::string what_shapes_mean(const Binning&);
 
 }  // namespace swarmfit

@@ -148,7 +148,7 @@ std::string shapes_of(const Comparison& c, TextStyle style) {
   Shapes s{{{"recording", &c.recording}}, c.columns, c.axis_lower, c.axis_width, c.data.unit};
   for (const FitResult& r : c.models) s.rows.push_back({r.model, &r.distributions, paint_of(r)});
   const std::string text = shapes_text(s, 0, "distribution", style);
-  return text.empty() ? text : '\n' + text + paragraph(what_shapes_mean(), " ");
+  return text.empty() ? text : '\n' + text + paragraph(what_shapes_mean(c.binning), " ");
 }
 
 bool any_on_bounds(const Comparison& c) {
@@ -217,7 +217,7 @@ std::string evaluation_text(const Evaluation& e, TextStyle style) {
       {{"recording", &e.real_distribution}, {"simulation", &e.simulated_distribution}}, e.columns, e.axis_lower, e.axis_width, e.real.unit};
   for (std::size_t first = 0; style.unicode && first < e.columns.size(); first += first == 0 ? kMetrics : kMotionMetrics)
     out += shapes_text(shapes, first, "distribution", style) + '\n';
-  if (style.unicode) out += paragraph(what_shapes_mean(), " ") + '\n';
+  if (style.unicode) out += paragraph(what_shapes_mean(e.binning), " ") + '\n';
   out += order.text() + '\n';
   out += paragraph(fmt::format("Energy: 0 for the same distribution, {} for disjoint ones.", brief(worst_energy(e.binning))));
   out += paragraph(fmt::format("Motion is measured at lag{} {} (frames of {} s).", lags_of(e.columns).size() > 1 ? "s" : "",
