@@ -94,6 +94,17 @@ std::string shapes_text(const Shapes& s, std::size_t first, const std::string& t
   return table.text();
 }
 
+std::string shapes_text(const Summary& s, TextStyle style) {
+  if (!style.unicode) return {};
+  TextTable t({Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::right}, style);
+  t.row({"5 to 95 %", "speed", "acceleration", "nearest", "rms radius", "polarisation", "milling"}, Paint::bold);
+  std::vector<std::string> cells = {"distribution"};
+  for (const Quantiles* q : {&s.speed, &s.acceleration, &s.nearest, &s.extent, &s.polarisation, &s.milling})
+    cells.push_back(sparkline(q->shape));
+  t.row(cells);
+  return '\n' + t.text();
+}
+
 std::string what_shapes_mean(const Binning& binning) {
   if (binning.normalisation == Normalisation::separate)
     return "distribution: each to its own height, and standardised by itself: only its shape is shown; the ends count what lies beyond";

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "libeval/energy.h"
+#include "libeval/summary.h"
 #include "reports/text_table.h"
 
 namespace swarmfit {
@@ -32,6 +33,9 @@ struct Shapes {
 // lies beyond counted at its ends, and that part in the metric's unit. Not wider than 100 columns for names of at most 40. Empty without
 // Unicode: there is nothing like it in ASCII.
 std::string shapes_text(const Shapes&, std::size_t first, const std::string& title, TextStyle);
+
+// Those of a recording by itself, from 5 to 95 %, after an empty line. Empty without Unicode.
+std::string shapes_text(const Summary&, TextStyle);
 
 // What to know before reading such a table.
 std::string what_shapes_mean(const Binning&);
