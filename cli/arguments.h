@@ -51,6 +51,12 @@ struct ResumeArguments {
   bool json = false, quiet = false;
 };
 
+struct ReportArguments {
+  std::string dir, out;
+  std::vector<std::string> formats;
+  bool quiet = false;
+};
+
 struct RecoverArguments {
   Common common;
   std::vector<std::string> models, planted, set;

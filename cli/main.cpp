@@ -127,6 +127,7 @@ struct Program {
   RecoverArguments recover;
   PowerArguments power;
   ResumeArguments resume;
+  ReportArguments report;
   ModelsArguments models;
   Common list;
   std::function<int()> chosen;
@@ -145,6 +146,7 @@ struct Program {
     add_weigh();
     add_fits();
     add_resume();
+    add_report();
     add_recover();
     add_power();
     add_lists();
@@ -235,6 +237,21 @@ struct Program {
     sub.add_option("--threads", resume.threads, "threads to use, 0 for all cores; never changes a result")->check(CLI::NonNegativeNumber);
     sub.add_flag("--json", resume.json, "print JSON instead of text");
     sub.add_flag("-q,--quiet", resume.quiet, "no progress, no remarks");
+  }
+
+  void add_report() {
+    auto& sub =
+        command("report", "figures, tables and methods of a run, in the formats of a paper", [this] { return cli::report(report); });
+    sub.add_option("RUN_DIR", report.dir, "folder of a run that has finished")->required();
+    sub.add_option("--format", report.formats,
+                   "svg or pdf: the figures; tex or md: tables, methods and captions; csv: tables in full; html: the report; several with "
+                   "commas between. pdf takes rsvg-convert (package librsvg2-bin)")
+        ->delimiter(',')
+        ->take_all()
+        ->check(CLI::IsMember({"svg", "pdf", "tex", "md", "csv", "html"}))
+        ->required();
+    sub.add_option("-o,--out", report.out, "folder to write to, where files of the same names are replaced; RUN_DIR-paper if not given");
+    sub.add_flag("-q,--quiet", report.quiet, "do not list what was written");
   }
 
   void add_recover() {

@@ -73,16 +73,25 @@ void motion(const Tracks& tracks, Summary& out) {
   out.milling = quantiles(std::move(order.milling));
 }
 
+std::vector<std::uint64_t> shape(const std::vector<double>& values, double lower, double upper) {
+  constexpr std::size_t kBins = 12;
+  if (!(upper > lower)) return {};
+  std::vector<std::uint64_t> counts(kBins);
+  for (const double x : values)
+    if (x >= lower && x <= upper) ++counts[std::min(kBins - 1, static_cast<std::size_t>(kBins * (x - lower) / (upper - lower)))];
+  return counts;
+}
+
 }  // namespace
 
 Quantiles quantiles(std::vector<double> values) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
-  if (values.empty()) return {0, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
+  if (values.empty()) return {0, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, {}};
   Moments moments;
   for (const double x : values) moments.add(x);
   const double q05 = quantile(values, 0.05), q50 = quantile(values, 0.5), q95 = quantile(values, 0.95);
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return {values.size(), moments.mean, moments.sd(), *low, q05, q50, q95, *high};
+  return {values.size(), moments.mean, moments.sd(), *low, q05, q50, q95, *high, shape(values, q05, q95)};
 }
 
 Summary summarise(const Tracks& tracks) {

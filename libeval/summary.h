@@ -2,7 +2,9 @@
 // What a person wants to know of a recording before trusting it.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "libeval/localisation.h"
 #include "libeval/order.h"
@@ -12,6 +14,7 @@ namespace swarmfit {
 struct Quantiles {
   std::size_t count = 0;
   double mean, sd, min, q05, median, q95, max;  // NaN without samples; sd is the population's
+  std::vector<std::uint64_t> shape{};           // counts in twelve equal bins from q05 to q95; empty if these are the same
 };
 Quantiles quantiles(std::vector<double> values);  // of the finite values
 

@@ -3,10 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
 namespace swarmfit {
+namespace {
+
+bool is_digit(std::string_view text, std::size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; }
+
+std::string_view raised(char c) {
+  constexpr std::array<std::string_view, 10> kDigits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  return c == '-' ? "⁻" : c == '.' ? "·" : kDigits[static_cast<std::size_t>(c - '0')];
+}
+
+std::string superscript(int number) {
+  std::string out;
+  for (const char c : std::to_string(number)) out += raised(c);
+  return out;
+}
+
+}  // namespace
 
 std::string exact(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
@@ -48,6 +65,41 @@ std::string counted(std::int64_t count) {
   if (digits.size() - first < 5) return digits;  // four digits read well without a space
   for (std::size_t k = digits.size(); k > first + 3;) digits.insert(k -= 3, "\u202f");
   return digits;
+}
+
+std::string in_print(std::string_view text) {
+  std::string out;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const std::string_view rest = text.substr(k);
+    const bool number_before = k > 0 && is_digit(text, k - 1), word_before = k > 0 && text[k - 1] != ' ' && text[k - 1] != '(';
+    if (rest.starts_with(" .. ")) {
+      out += " to ";
+      k += 3;
+    } else if (number_before && rest[0] == 'e' && rest.size() > 2 && (rest[1] == '-' || rest[1] == '+') && is_digit(rest, 2)) {
+      std::size_t end = 2;
+      while (is_digit(rest, end)) ++end;
+      out += "×10" + superscript(std::atoi(std::string(rest.substr(1, end - 1)).c_str()));
+      k += end - 1;
+    } else if (rest[0] == '-' && !word_before && is_digit(rest, 1)) {
+      out += "−";
+    } else {
+      out += text[k];
+    }
+  }
+  return out;
+}
+
+std::string unit_in_print(std::string_view unit) {
+  std::string out;
+  for (std::size_t k = 0; k < unit.size(); ++k) {
+    const bool power = unit[k] == '^' && (is_digit(unit, k + 1) || (k + 1 < unit.size() && unit[k + 1] == '-' && is_digit(unit, k + 2)));
+    if (!power) {
+      out += unit[k];
+      continue;
+    }
+    for (; k + 1 < unit.size() && (is_digit(unit, k + 1) || unit[k + 1] == '.' || unit[k + 1] == '-'); ++k) out += raised(unit[k + 1]);
+  }
+  return out;
 }
 
 std::string counted(std::int64_t count, const std::string& noun) { return counted(count) + ' ' + noun + (count == 1 ? "" : "s"); }

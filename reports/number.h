@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace swarmfit {
 
@@ -17,6 +18,12 @@ std::string rounded(double value, int significant = 3);            // "12300", "
 std::string percent(double share);                                 // 0.673 -> "67 %"
 std::string counted(std::int64_t count);                           // thousands apart: "12 345" with narrow no-break spaces
 std::string counted(std::int64_t count, const std::string& noun);  // "1 track", "3 tracks"
+
+// Text of these functions as print has it: a minus sign before a number, "1.2×10⁻⁷" for "1.2e-07", " to " for " .. ".
+std::string in_print(std::string_view text);
+
+// A unit with powers as print has them: "mm/s²" for "mm/s^2", "mm/s¹·⁵" for "mm/s^1.5".
+std::string unit_in_print(std::string_view unit);
 
 inline const std::string kUndefined = "\u2013";
 

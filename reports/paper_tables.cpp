@@ -5,12 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "libtrack/file.h"
 #include "reports/number.h"
+#include "reports/text_table.h"
 #include "reports/words.h"
 
 namespace swarmfit {
@@ -18,16 +18,34 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-Row metric_head(const Comparison& c, Row head) {
-  for (std::size_t m = 0; m < c.columns.size(); ++m)
+// The columns of one lag: a table of their own, since those of all would not fit a page.
+struct Columns {
+  std::string suffix, title;  // of the table's name and caption; empty for the first
+  std::vector<std::size_t> of;
+};
+
+std::vector<Columns> by_lag(const Comparison& c) {
+  std::vector<Columns> out;
+  for (std::size_t first = 0; first < c.columns.size(); first += out.size() == 1 ? kMetrics : kMotionMetrics) {
+    const int lag = c.columns[first].lag;
+    const bool several = c.columns.size() > kMetrics;
+    out.push_back({first == 0 ? "" : fmt::format("_lag{}", lag), several ? fmt::format("Motion at {}. ", lag_name(c, lag)) : "", {}});
+    const std::size_t count = std::min(first == 0 ? kMetrics : kMotionMetrics, c.columns.size() - first);
+    for (std::size_t m = first; m < first + count; ++m) out.back().of.push_back(m);
+  }
+  return out;
+}
+
+Row metric_head(const Comparison& c, const Columns& columns, Row head) {
+  for (const std::size_t m : columns.of)
     head.push_back(counts(c, m) ? marked(c, m, c.columns[m].symbol()) : c.columns[m].symbol() + " (not scored)");
   return head;
 }
 
 template <class Value>
-Row metric_row(const Comparison& c, std::string name, Value&& value) {
+Row metric_row(const Columns& columns, std::string name, Value&& value) {
   Row row{std::move(name)};
-  for (std::size_t m = 0; m < c.columns.size(); ++m) row.push_back(value(m));
+  for (const std::size_t m : columns.of) row.push_back(value(m));
   return row;
 }
 
@@ -38,89 +56,104 @@ std::string with_error(double value, double error, int decimals) {
 
 std::string rank_text(int rank) { return rank > 0 ? std::to_string(rank) : kUndefined; }
 
-// What was compared with what, under which protocol: every caption ends with it.
-std::string origin(const Comparison& c) {
-  return fmt::format("Recording {}{}, protocol {}, budget {}, seed {}, swarmfit {}.", c.data.path, c.data.synthetic ? " (synthetic)" : "",
-                     c.protocol, c.budget.name, c.seed, c.version);
-}
-
 PaperTable ranking(const Comparison& c) {
   PaperTable t{
       "ranking",
       "Models by entropy-weighted score E (higher is better), with its 95 % interval over recordings as long as this one, the group "
-      "(models with the same letter cannot be told apart; model confidence set, 95 %), the goodness-of-fit p, and the extent, "
-      "nearest-neighbour distance and mean speed of the simulated group. " +
-          origin(c),
-      {"model", "rank", "score", "95 %", "group", "fit p", fmt::format("extent [{}]", c.data.unit), fmt::format("NND [{}]", c.data.unit),
-       fmt::format("speed [{}/s]", c.data.unit), "candidates"},
+      "(models with the same letter cannot be told apart; model confidence set, 95 %), the goodness-of-fit p, and the skill (1: as "
+      "alike as the recording is to itself, 0: no better than its surrogates). ",
+      {"model", "rank", "score", "95 %", "group", "fit p", "skill"},
       {}};
-  for (const FitResult& r : c.models)
-    t.rows.push_back({r.model, rank_text(r.rank), fixed(r.score, 3), score_interval(r), group_letter(r), fixed(r.certainty.goodness_p, 2),
-                      rounded(r.extent), rounded(r.spacing), rounded(r.speed), std::to_string(r.evaluations)});
-  t.rows.push_back({"recording", "", "", "", "", "", rounded(c.data.extent), rounded(c.data.spacing), rounded(c.data.speed), ""});
-  return t;
-}
-
-PaperTable energies(const Comparison& c) {
-  PaperTable t{"energies",
-               "Raw energies (" + what_energy_means(c) + "), ± one standard error, and the p1 and p2 that normalise them. " + origin(c),
-               metric_head(c, {"model"}),
-               {}};
-  for (const FitResult& r : c.models)
-    t.rows.push_back(metric_row(c, r.model, [&](std::size_t m) { return with_error(r.raw_energies[m], r.raw_se[m], 3); }));
-  t.rows.push_back(metric_row(c, "p1", [&](std::size_t m) { return fixed(c.p1[m], 4); }));
-  t.rows.push_back(metric_row(c, "p2", [&](std::size_t m) { return fixed(c.p2[m], 4); }));
-  return t;
-}
-
-PaperTable weights(const Comparison& c) {
-  PaperTable t{"weights",
-               "Entropy weights of the metrics, by pass of the calibration; the last row is used. " + lag_weights(c) + origin(c),
-               metric_head(c, {"pass"}),
-               {}};
-  for (const WeightStep& s : c.weight_history)
-    t.rows.push_back(metric_row(c, std::to_string(s.pass), [&](std::size_t m) { return fixed(s.weights[m], 4); }));
-  t.rows.push_back(metric_row(c, "final", [&](std::size_t m) { return fixed(c.weights[m], 4); }));
-  return t;
-}
-
-PaperTable parameters(const Comparison& c) {
-  PaperTable t{"parameters",
-               "Fitted parameters in physical units; * ended on a bound of the search. 95 %: of the posterior. " + origin(c),
-               {"model", "parameter", "value", "95 %", "unit", "lower", "upper"},
-               {}};
-  for (const FitResult& r : c.models)
-    for (const ParameterResult& p : r.parameters)
-      if (p.fitted)
-        t.rows.push_back({r.model, p.name, rounded(p.value, 4) + (p.at_bound ? " *" : ""), interval_text(p.posterior), p.unit,
-                          rounded(p.lower), rounded(p.upper)});
-  return t;
-}
-
-PaperTable sensitivity(const Comparison& c) {
-  PaperTable t{
-      "sensitivity",
-      "Score and rank of every model when one metric is left out of the score; weights of the others keep their ratios. " + origin(c),
-      metric_head(c, {"model", "all"}),
-      {}};
+  if (c.hold_out.used) {
+    t.caption += in_print(what_held_out_means(c)) + ' ';
+    t.head.insert(t.head.end(), {"held out", "gap"});
+  }
+  t.caption += origin(c);
+  t.head.emplace_back("candidates");
   for (const FitResult& r : c.models) {
-    Row row = metric_row(c, r.model, [&](std::size_t m) {
-      const Sensitivity& s = r.sensitivity;
-      return std::isfinite(s.without[m]) ? fmt::format("{} ({})", fixed(s.without[m], 3), s.rank_without[m]) : kUndefined;
-    });
-    row.insert(row.begin() + 1, fmt::format("{} ({})", fixed(r.score, 3), rank_text(r.rank)));
+    Row row = {r.model,
+               rank_text(r.rank),
+               in_print(fixed(r.score, 3)),
+               in_print(score_interval(r)),
+               group_letter(r),
+               fixed(r.certainty.goodness_p, 2),
+               in_print(with_error(r.skill.value, r.skill.se, 2))};
+    if (c.hold_out.used) row.insert(row.end(), {in_print(held_out_score(r)), in_print(fixed(r.score - r.held_out.score, 3))});
+    row.push_back(counted(r.evaluations));
     t.rows.push_back(std::move(row));
   }
   return t;
 }
 
-std::string markdown_cell(const std::string& text) {
-  std::string out;
-  for (const char c : printable(text)) {
-    if (c == '|' || c == '\\' || c == '`' || c == '*' || c == '_' || c == '<' || c == '[' || c == ']') out += '\\';
-    out += c;
+PaperTable scales(const Comparison& c) {
+  PaperTable t{
+      "scales",
+      "Extent (root-mean-square radius), nearest-neighbour distance (NND) and mean speed of the recorded and the simulated groups. " +
+          origin(c),
+      {"model", fmt::format("extent [{}]", c.data.unit), fmt::format("NND [{}]", c.data.unit), fmt::format("speed [{}/s]", c.data.unit)},
+      {{"recording", rounded(c.data.extent), rounded(c.data.spacing), rounded(c.data.speed)}}};
+  for (const FitResult& r : c.models) t.rows.push_back({r.model, rounded(r.extent), rounded(r.spacing), rounded(r.speed)});
+  return t;
+}
+
+PaperTable energies(const Comparison& c, const Columns& columns) {
+  PaperTable t{"energies" + columns.suffix,
+               "Raw energies (" + what_energy_means(c) + "), ± one standard error, the p1 and p2 that normalise them, and their weights in the score. " +
+                   columns.title + origin(c),
+               metric_head(c, columns, {"model"}),
+               {}};
+  for (const FitResult& r : c.models)
+    t.rows.push_back(metric_row(columns, r.model, [&](std::size_t m) { return with_error(r.raw_energies[m], r.raw_se[m], 3); }));
+  t.rows.push_back(metric_row(columns, "p1", [&](std::size_t m) { return fixed(c.p1[m], 4); }));
+  t.rows.push_back(metric_row(columns, "p2", [&](std::size_t m) { return fixed(c.p2[m], 4); }));
+  t.rows.push_back(metric_row(columns, "weight", [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 4) : kUndefined; }));
+  return t;
+}
+
+PaperTable weights(const Comparison& c, const Columns& columns) {
+  PaperTable t{
+      "weights" + columns.suffix,
+      "Entropy weights of the metrics, by pass of the calibration; the last row is used. " + lag_weights(c) + columns.title + origin(c),
+      metric_head(c, columns, {"pass"}),
+      {}};
+  for (const WeightStep& s : c.weight_history)
+    t.rows.push_back(metric_row(columns, std::to_string(s.pass), [&](std::size_t m) { return fixed(s.weights[m], 4); }));
+  t.rows.push_back(metric_row(columns, "final", [&](std::size_t m) { return fixed(c.weights[m], 4); }));
+  return t;
+}
+
+PaperTable parameters(const Comparison& c) {
+  const bool posterior = std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return r.posterior.simulations > 0; });
+  PaperTable t{"parameters",
+               fmt::format("Fitted parameters in physical units; * ended on a bound of the search.{} ",
+                           posterior ? " 95 %: central interval of the posterior." : "") +
+                   origin(c),
+               {"model", "parameter", "value", "95 %", "unit", "lower", "upper"},
+               {},
+               "llrrlrr"};
+  for (const FitResult& r : c.models)
+    for (const ParameterResult& p : r.parameters)
+      if (p.fitted)
+        t.rows.push_back({r.model, p.name, in_print(rounded(p.value, 4)) + (p.at_bound ? " *" : ""), in_print(interval_text(p.posterior)),
+                          unit_in_print(p.unit), in_print(rounded(p.lower)), in_print(rounded(p.upper))});
+  return t;
+}
+
+PaperTable sensitivity(const Comparison& c, const Columns& columns) {
+  PaperTable t{"sensitivity" + columns.suffix,
+               "Score and rank of every model when one metric is left out of the score; weights of the others keep their ratios. " +
+                   columns.title + origin(c),
+               metric_head(c, columns, {"model", "all"}),
+               {}};
+  for (const FitResult& r : c.models) {
+    Row row = metric_row(columns, r.model, [&](std::size_t m) {
+      const Sensitivity& s = r.sensitivity;
+      return std::isfinite(s.without[m]) ? fmt::format("{} ({})", in_print(fixed(s.without[m], 3)), s.rank_without[m]) : kUndefined;
+    });
+    row.insert(row.begin() + 1, fmt::format("{} ({})", in_print(fixed(r.score, 3)), rank_text(r.rank)));
+    t.rows.push_back(std::move(row));
   }
-  return out;
+  return t;
 }
 
 std::string latex_row(const Row& cells) {
@@ -129,72 +162,55 @@ std::string latex_row(const Row& cells) {
   return fmt::format("    {} \\\\\n", fmt::join(escaped, " & "));
 }
 
+// One letter per column: the first to the left, the others to the right, if nothing else is said.
+std::string alignment(const PaperTable& t) { return t.align.empty() ? 'l' + std::string(t.head.size() - 1, 'r') : t.align; }
+
+// Does it need both columns of a page? By its longest cells.
+bool wide(const PaperTable& t) {
+  constexpr std::size_t kColumn = 56;  // characters in 85 mm
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < t.head.size(); ++k) {
+    std::size_t longest = display_width(t.head[k]);
+    for (const Row& row : t.rows) longest = std::max(longest, display_width(row[k]));
+    sum += longest + 1;
+  }
+  return sum > kColumn;
+}
+
 }  // namespace
 
-std::vector<PaperTable> paper_tables(const Comparison& c) { return {ranking(c), energies(c), weights(c), parameters(c), sensitivity(c)}; }
+std::vector<PaperTable> paper_tables(const Comparison& c) {
+  std::vector<PaperTable> out = {ranking(c), scales(c), parameters(c)};
+  for (const Columns& columns : by_lag(c)) {
+    out.push_back(energies(c, columns));
+    out.push_back(weights(c, columns));
+    out.push_back(sensitivity(c, columns));
+  }
+  return out;
+}
 
 std::string to_markdown(const PaperTable& t) {
   const auto line = [](const Row& cells) {
     std::string out = "|";
-    for (const std::string& cell : cells) out += ' ' + markdown_cell(cell) + " |";
+    for (const std::string& cell : cells) out += ' ' + markdown_text(cell) + " |";
     return out + '\n';
   };
-  std::string out = line(t.head) + "|---|";
-  for (std::size_t k = 1; k < t.head.size(); ++k) out += "---:|";
+  std::string out = line(t.head) + '|';
+  for (const char side : alignment(t)) out += side == 'l' ? "---|" : "---:|";
   out += '\n';
   for (const Row& row : t.rows) out += line(row);
-  return out + '\n' + markdown_cell(t.caption) + '\n';
+  return out + '\n' + markdown_text(t.caption) + '\n';
 }
 
 std::string to_latex(const PaperTable& t) {
-  std::string out =
-      fmt::format("% needs \\usepackage{{booktabs}}\n\\begin{{table}}\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n  \\centering\n",
-                  latex_text(t.caption), t.name);
-  out +=
-      fmt::format("  \\begin{{tabular}}{{l{}}}\n    \\toprule\n{}    \\midrule\n", std::string(t.head.size() - 1, 'r'), latex_row(t.head));
+  const std::string_view environment = wide(t) ? "table*" : "table";
+  std::string out = fmt::format(
+      "% needs \\usepackage{{booktabs}}\n\\begin{{{}}}\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n  \\centering\n  "
+      "\\footnotesize\\setlength{{\\tabcolsep}}{{3pt}}\n",
+      environment, latex_text(t.caption), t.name);
+  out += fmt::format("  \\begin{{tabular}}{{{}}}\n    \\toprule\n{}    \\midrule\n", alignment(t), latex_row(t.head));
   for (const Row& row : t.rows) out += latex_row(row);
-  return out + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
-}
-
-std::string latex_text(std::string_view utf8) {
-  using Pair = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array kCommands{Pair{"\\", "\\textbackslash{}"},
-                                        Pair{"&", "\\&"},
-                                        Pair{"%", "\\%"},
-                                        Pair{"$", "\\$"},
-                                        Pair{"#", "\\#"},
-                                        Pair{"_", "\\_"},
-                                        Pair{"{", "\\{"},
-                                        Pair{"}", "\\}"},
-                                        Pair{"~", "\\textasciitilde{}"},
-                                        Pair{"^", "\\^{}"},
-                                        Pair{"±", "$\\pm$"},
-                                        Pair{"–", "--"},
-                                        Pair{"²", "$^2$"},
-                                        Pair{"³", "$^3$"},
-                                        Pair{"⁻", "$^-$"},
-                                        Pair{"¹", "$^1$"},
-                                        Pair{"ω", "$\\omega$"},
-                                        Pair{"α", "$\\alpha$"},
-                                        Pair{"μ", "$\\mu$"},
-                                        Pair{"η", "$\\eta$"},
-                                        Pair{"γ", "$\\gamma$"},
-                                        Pair{"√", "$\\sqrt{\\;}$"},
-                                        Pair{"·", "$\\cdot$"},
-                                        Pair{"×", "$\\times$"},
-                                        Pair{"\u202f", "\\,"},
-                                        Pair{"<", "$<$"},
-                                        Pair{">", "$>$"},
-                                        Pair{"|", "$|$"}};
-  const std::string text = printable(utf8);
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::string_view rest = std::string_view(text).substr(i);
-    const auto* found = std::find_if(kCommands.begin(), kCommands.end(), [&](const Pair& p) { return rest.starts_with(p.first); });
-    out += found != kCommands.end() ? found->second : rest.substr(0, 1);
-    i += found != kCommands.end() ? found->first.size() : 1;
-  }
-  return out;
+  return out + fmt::format("    \\bottomrule\n  \\end{{tabular}}\n\\end{{{}}}\n", environment);
 }
 
 void write_table(const std::string& dir, const PaperTable& t) {

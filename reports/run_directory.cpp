@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "libtrack/error.h"
 #include "libtrack/file.h"
+#include "reports/figures.h"
 #include "reports/html.h"
 #include "reports/json.h"
+#include "reports/methods.h"
 #include "reports/paper_tables.h"
 #include "reports/tables.h"
 
@@ -69,12 +72,31 @@ std::string unfinished_run(const std::string& dir) {
   return open == std::string::npos || close == std::string::npos ? "" : config.substr(open + 2, close - open - 2);
 }
 
+void require_finished_run(const std::string& dir) {
+  const fs::path root = dir;
+  if (!fs::is_directory(root) || !is_earlier_run(root)) throw InputError(dir + ": holds no run; expected the folder of one");
+  const auto is_there = [&](const char* result) { return fs::exists(root / result); };
+  constexpr std::array kResults = {"results.json", "summary.json", "recovery.json", "power.json"};  // each is written last
+  if (std::none_of(kResults.begin(), kResults.end(), is_there))
+    throw InputError(dir + ": this run has not finished; expected one that has (swarmfit resume goes on with it)");
+}
+
+namespace {
+
+// Figures of an earlier run that this one does not draw.
+void remove_earlier_figures(const fs::path& dir) {
+  std::error_code failed;
+  for (const auto& file : fs::directory_iterator(dir, failed))
+    if (is_figure(file.path().filename().string())) fs::remove(file.path(), failed);
+}
+
+}  // namespace
+
 void write_run(const std::string& dir, const Comparison& c) {
   check_run_directory(dir);
-  const fs::path root = dir, tables = root / "tables";
-  make_directory(tables.string());
-  remove_torn(root);
-  remove_torn(tables);
+  const fs::path root = dir, tables = root / "tables", drawn = root / "figures";
+  for (const fs::path& folder : {tables, drawn}) make_directory(folder.string());
+  for (const fs::path& folder : {root, tables, drawn}) remove_torn(folder);
   const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
   // The mark first: whatever happens from here on, the next run may clean up after this one.
   write(root / "config.toml", config_toml(c.command, c.config));
@@ -82,8 +104,16 @@ void write_run(const std::string& dir, const Comparison& c) {
   fs::remove(root / "results.json", no_such_file);
   for (const NamedTable& t : result_tables(c)) write(tables / t.name, t.csv);
   for (const PaperTable& t : paper_tables(c)) write_table(tables.string(), t);
+  remove_earlier_figures(drawn);
+  const std::vector<Figure> all = figures(c);
+  for (const Figure& f : all) write(drawn / (f.name + ".svg"), f.svg);
+  write(drawn / "captions.md", captions_markdown(all));
+  write(drawn / "captions.tex", captions_latex(all));
   write(root / "history.csv", history_csv(c));
-  write(root / "report.html", report_html(c));
+  const std::string page = report_html(c);
+  write(root / "report.html", page);
+  write(root / "methods.md", methods_markdown(page));
+  write(root / "methods.tex", methods_latex(page));
   write(root / "results.json", to_json(c));
 }
 

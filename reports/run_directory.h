@@ -18,8 +18,12 @@ void begin_run(const std::string& dir, const std::string& config);
 // The command of the run that was begun in `dir` and has not finished. Throws InputError if there is none.
 std::string unfinished_run(const std::string& dir);
 
-// Writes config.toml, results.json, tables/*.csv, history.csv and report.html, each of them whole or not at all, creating folders as
-// needed. results.json comes last: a directory that has one is complete. Throws InputError as above, RunError when writing fails.
+// Throws InputError unless `dir` holds a run that has finished, of whatever command.
+void require_finished_run(const std::string& dir);
+
+// Writes config.toml, results.json, tables/, figures/, history.csv, report.html, methods.md and methods.tex, each of the files whole or not
+// at all, creating folders as needed. results.json comes last: a directory that has one is complete. Throws InputError as above, RunError
+// when writing fails.
 void write_run(const std::string& dir, const Comparison&);
 
 // Everything needed to repeat a run: under the command's own heading, "name = value" lines, values being TOML already.

@@ -10,6 +10,7 @@
 
 #include "libeval/lags.h"
 #include "reports/number.h"
+#include "reports/sparkline.h"
 #include "reports/words.h"
 
 namespace swarmfit {
@@ -157,6 +158,13 @@ std::string posterior_text(const Comparison& c, TextStyle style) {
   return out;
 }
 
+std::string shapes_of(const Comparison& c, TextStyle style) {
+  Shapes s{{{"recording", &c.recording}}, c.columns, c.axis_lower, c.axis_width, c.data.unit};
+  for (const FitResult& r : c.models) s.rows.push_back({r.model, &r.distributions, paint_of(r)});
+  const std::string text = shapes_text(s, 0, "distribution", style);
+  return text.empty() ? text : '\n' + text + paragraph(what_shapes_mean(c.binning), " ");
+}
+
 bool any_on_bounds(const Comparison& c) {
   return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return !at_bounds(r).empty(); });
 }
@@ -187,6 +195,7 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   out += paragraph("raw energy: " + what_energy_means(c), " ");
   if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += paragraph(drowned, " ");
   if (const std::string lags = lag_weights(c) + lags_measured(c); !lags.empty()) out += paragraph(lags, " ");
+  out += shapes_of(c, style);
   out += panel_text(c, style);
   out += posterior_text(c, style);
 
@@ -261,6 +270,7 @@ std::string describe_text(const TrackMeta& meta, const Summary& s, TextStyle sty
   out += quantile_table(meta, s, style).text() + '\n';
   out += localisation_lines(meta, s.localisation);
 
+  out += shapes_text(s, style);
   out += bullets("Repaired while reading", meta.from.notes, Paint::bold, style);
   std::vector<std::string> suspicions;
   for (const Suspicion& one : s.suspicions) suspicions.push_back(suspicion_text(one));
@@ -290,7 +300,13 @@ std::string evaluation_text(const Evaluation& e, TextStyle style) {
 
   const auto source = [](const TrackMeta& meta) { return printable(meta.from.path) + (meta.from.synthetic ? " (synthetic)" : ""); };
   std::string out = fmt::format("recording   {}\nsimulation  {}\n\n", source(e.real), source(e.simulated));
-  out += t.text() + '\n' + order.text() + '\n';
+  out += t.text() + '\n';
+  const Shapes shapes{
+      {{"recording", &e.real_distribution}, {"simulation", &e.simulated_distribution}}, e.columns, e.axis_lower, e.axis_width, e.real.unit};
+  for (std::size_t first = 0; style.unicode && first < e.columns.size(); first += first == 0 ? kMetrics : kMotionMetrics)
+    out += shapes_text(shapes, first, "distribution", style) + '\n';
+  if (style.unicode) out += paragraph(what_shapes_mean(e.binning), " ") + '\n';
+  out += order.text() + '\n';
   out += paragraph(fmt::format("Energy: 0 for the same distribution, {} for disjoint ones.", brief(worst_energy(e.binning))));
   out += paragraph(fmt::format("Motion is measured at lag{} {} (frames of {} s).", lags_of(e.columns).size() > 1 ? "s" : "",
                                lags_text(lags_of(e.columns)), brief(e.real.dt)));

@@ -88,9 +88,6 @@ Headline ranked(const Comparison& c, const std::vector<const FitResult*>& scored
                 goodness(c, first), first_elsewhere(scored), main_misfit(c, first)})};
 }
 
-// "lag 8 (0.08 s)"
-std::string lag_name(const Comparison& c, const LagFacts& l) { return fmt::format("lag {} ({} s)", l.lag, brief(l.lag * c.data.dt)); }
-
 std::string power(const std::string& base, int exponent) {
   if (exponent == 1) return base;
   if (exponent == 2) return base + "²";
@@ -149,7 +146,7 @@ std::string lags_measured(const Comparison& c) {
   std::vector<std::string> frames, shares;
   for (const LagFacts& l : c.lags) {
     if (l.lag == 0) continue;
-    frames.push_back(lag_name(c, l));
+    frames.push_back(lag_name(c, l.lag));
     if (std::isfinite(l.error_share))
       shares.push_back(fmt::format("{}{} at lag {}", percent(l.error_share), shares.empty() ? " of a metric's variance" : "", l.lag));
   }
@@ -159,12 +156,19 @@ std::string lags_measured(const Comparison& c) {
   return out;
 }
 
+std::string lag_name(const Comparison& c, int lag) { return fmt::format("lag {} ({} s)", lag, brief(lag * c.data.dt)); }
+
+std::string origin(const Comparison& c) {
+  return fmt::format("Recording {}{}, protocol {}, budget {}, seed {}, swarmfit {}.", c.data.path, c.data.synthetic ? " (synthetic)" : "",
+                     c.protocol, c.budget.name, c.seed, c.version);
+}
+
 std::string lag_weights(const Comparison& c) {
   std::vector<LagFacts> lags = c.lags;
   std::stable_sort(lags.begin(), lags.end(), [](const LagFacts& a, const LagFacts& b) { return a.weight > b.weight; });
   std::vector<std::string> parts;
   for (const LagFacts& l : lags)
-    parts.push_back(fmt::format("{}{} {}{}", l.lag > 0 ? lag_name(c, l) : "what has no lag (d, η)", parts.empty() ? " carried" : "",
+    parts.push_back(fmt::format("{}{} {}{}", l.lag > 0 ? lag_name(c, l.lag) : "what has no lag (d, η)", parts.empty() ? " carried" : "",
                                 percent(l.weight), parts.empty() ? " of the weight" : ""));
   // One lag and those without: nothing to share out.
   if (lags.size() < 3 || !(lags.front().weight > 0)) return {};

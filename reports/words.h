@@ -42,6 +42,12 @@ std::string lags_measured(const Comparison&);
 // Which lag carried the decision: "Lag 8 (0.08 s) carried 71 % of the weight, …. "; empty if there is only one.
 std::string lag_weights(const Comparison&);
 
+// "lag 8 (0.08 s)"
+std::string lag_name(const Comparison&, int lag);
+
+// What was compared, and how: "Recording swarm.txt, protocol default, budget quick, seed 1, swarmfit 0.1.0.": captions end with it.
+std::string origin(const Comparison&);
+
 // Largest possible energy: that of disjoint distributions, 2M/(u2 - u1).
 double worst_energy(const Binning&);
 

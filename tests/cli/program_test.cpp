@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -151,12 +152,45 @@ TEST_F(Program, CompareLeavesACompleteRunWithTheSameBytesForAnyNumberOfThreads) 
   EXPECT_THAT(one.err, IsEmpty());
   EXPECT_THAT(one.out, HasSubstr("bswarm"));
   ASSERT_EQ(run(job + "--threads 3 --out three").code, 0);
-  for (const char* file : {"results.json", "history.csv", "report.html", "config.toml", "tables/energies.csv", "tables/parameters.csv",
-                           "tables/pdfs.csv", "tables/ranking.csv", "tables/weights.csv"}) {
+  for (const char* file :
+       {"results.json", "history.csv", "report.html", "config.toml", "tables/energies.csv", "tables/parameters.csv", "tables/pdfs.csv",
+        "tables/ranking.csv", "tables/weights.csv", "figures/densities.svg", "figures/scores.svg", "figures/captions.md", "methods.tex"}) {
     EXPECT_FALSE(content(dir_ / "one" / file).empty()) << file;
     EXPECT_EQ(content(dir_ / "one" / file), content(dir_ / "three" / file)) << file;
   }
   EXPECT_TRUE(fs::exists(dir_ / "one/timing.json"));
+}
+
+TEST_F(Program, ReportsARunInTheFormatsOfAPaper) {
+  ASSERT_EQ(run(std::string("compare demo -m brownian,langevin --frames 0:60 ") + kQuick + "--out a").code, 0);
+  const Result r = run("report a/ --format svg,tex");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, AllOf(HasSubstr("a-paper/scores.svg\n"), HasSubstr("a-paper/ranking.tex\n"), HasSubstr("a-paper/methods.tex\n")));
+  EXPECT_EQ(content(dir_ / "a-paper/scores.svg"), content(dir_ / "a/figures/scores.svg"));
+
+  // A converter that says what it was asked: nothing but its output file is ours.
+  fs::create_directories(dir_ / "bin");
+  write("bin/rsvg-convert", "#!/bin/sh\n[ $# -lt 2 ] || echo \"$5\" >\"$4\"\n");
+  fs::permissions(dir_ / "bin/rsvg-convert", fs::perms::owner_all);
+  const std::string path = "--version >/dev/null; PATH=bin:/bin:/usr/bin '" SWARMFIT_PROGRAM "' ";
+  ASSERT_EQ(run(path + "report a --format pdf --out 'in here' -q").code, 0);
+  EXPECT_EQ(content(dir_ / "in here/scores.pdf"), "a/figures/scores.svg\n");
+  EXPECT_TRUE(std::none_of(fs::directory_iterator(dir_ / "in here"), fs::directory_iterator(),
+                           [](const auto& file) { return file.path().extension() == ".part"; }));
+  write("bin/rsvg-convert", "#!/bin/sh\n[ $# -lt 2 ]\n");
+  const Result broken = run(path + "report a --format pdf --out broken");
+  EXPECT_EQ(broken.code, 1);
+  EXPECT_THAT(broken.err, HasSubstr("rsvg-convert cannot write it"));
+  const Result missing = run("--version >/dev/null; PATH=/nowhere '" SWARMFIT_PROGRAM "' report a --format pdf --out missing");
+  EXPECT_EQ(missing.code, 1) << "not bad input, but impossible here";
+  EXPECT_THAT(missing.err, AllOf(StartsWith("swarmfit: --format pdf: rsvg-convert does not run"), HasSubstr("librsvg2-bin")));
+  EXPECT_FALSE(fs::exists(dir_ / "missing"));
+
+  expect_refused("report a", "--format is required");
+  expect_refused("report a --format doc", "doc");
+  expect_refused("report nowhere --format md", "holds no run");
+  fs::remove(dir_ / "a/results.json");
+  expect_refused("report a --format md", "has not finished");
 }
 
 TEST_F(Program, ConfigOfARunRepeatsIt) {
@@ -189,7 +223,7 @@ TEST_F(Program, AnInterruptedRunGoesOn) {
   expect_refused("resume broken", "is no checkpoint");
   write("broken/checkpoint", checkpoint);
   ASSERT_EQ(run("resume broken --threads 2 -q").code, 0);
-  for (const char* file : {"results.json", "history.csv", "report.html", "config.toml"})
+  for (const char* file : {"results.json", "history.csv", "report.html", "config.toml", "figures/convergence.svg", "figures/captions.tex"})
     EXPECT_EQ(content(dir_ / "whole" / file), content(dir_ / "broken" / file)) << file;
   EXPECT_FALSE(fs::exists(dir_ / "broken/checkpoint"));
   expect_refused("resume broken", "is complete");

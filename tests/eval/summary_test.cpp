@@ -68,6 +68,10 @@ TEST(Quantiles, OfKnownNumbers) {
   EXPECT_EQ(q.q95, 95);
   EXPECT_EQ(q.max, 100);
   EXPECT_TRUE(std::isnan(quantiles({}).median));
+  // 5 to 95 in twelve bins of 7.5: the upper end belongs to the last.
+  EXPECT_EQ(q.shape, (std::vector<std::uint64_t>{8, 7, 8, 7, 8, 7, 8, 7, 8, 7, 8, 8}));
+  EXPECT_TRUE(quantiles({2, 2, 2}).shape.empty());
+  EXPECT_TRUE(quantiles({}).shape.empty());
 }
 
 TEST(Summary, CountsTracksSegmentsAndGaps) {

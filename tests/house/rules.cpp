@@ -63,6 +63,7 @@ const std::vector<Library> kLibraries{
     {"pagmo/", {"bench"}, false},
     {"malloc.h", {"libtrack"}, false},
     {"math.h", {"libtrack", "libeval", "fit"}, false},  // Boost 1.74's pchip does not compile without it
+    {"spawn.h", {"cli"}, false},
     {"unistd.h", {"libtrack", "fit", "reports", "cli"}, false},
     {"fcntl.h", {"libtrack", "fit", "reports", "cli"}, false},
     {"sys/", {"libtrack", "fit", "reports", "cli"}, false},

@@ -28,6 +28,22 @@ TEST(Number, RoundedKeepsSignificantDigits) {
   EXPECT_EQ(rounded(NAN), "–");
 }
 
+TEST(Number, InPrintHasMinusSignsAndPowers) {
+  EXPECT_EQ(in_print("-0.04 .. 0.15"), "−0.04 to 0.15");
+  EXPECT_EQ(in_print("0.1 ± 0.2 (-0.83)"), "0.1 ± 0.2 (−0.83)");
+  EXPECT_EQ(in_print("1.2e-07"), "1.2×10⁻⁷");
+  EXPECT_EQ(in_print("2.1e+08 a"), "2.1×10⁸ a");
+  EXPECT_EQ(in_print("one-sided e-mail 2e"), "one-sided e-mail 2e");
+  EXPECT_EQ(in_print("–"), "–");
+}
+
+TEST(Number, UnitsInPrintHavePowers) {
+  EXPECT_EQ(unit_in_print("mm/s^2"), "mm/s²");
+  EXPECT_EQ(unit_in_print("mm/s^1.5"), "mm/s¹·⁵");
+  EXPECT_EQ(unit_in_print("s^-1 m^10"), "s⁻¹ m¹⁰");
+  EXPECT_EQ(unit_in_print("x^y ^"), "x^y ^");
+}
+
 TEST(Number, BriefDropsTrailingZeros) {
   EXPECT_EQ(brief(0.01), "0.01");
   EXPECT_EQ(brief(100), "100");

@@ -27,11 +27,14 @@ TEST(PaperTables, EveryRowIsAsLongAsItsHead) {
 
 TEST(PaperTables, EnergiesAreModelsByMetricsWithTheirNormalisation) {
   const PaperTable t = named("energies");
-  ASSERT_EQ(t.rows.size(), 5u + 2);
+  ASSERT_EQ(t.rows.size(), 5u + 3);
   EXPECT_EQ(t.head.size(), 1u + kMetrics);
   EXPECT_EQ(t.rows[0][0], "bswarm");
   EXPECT_THAT(t.rows[0][1], HasSubstr(" ± "));
   EXPECT_EQ(t.rows[5][0], "p1");
+  EXPECT_EQ(t.rows[7][0], "weight");
+  EXPECT_EQ(t.rows[7][1], "0.2100");
+  EXPECT_EQ(t.rows[7][4], "–") << "not in the score";
   EXPECT_EQ(t.head[4], "α (not scored)");
 }
 
@@ -39,6 +42,8 @@ TEST(PaperTables, OnlyFittedParametersAreListed) {
   const PaperTable t = named("parameters");
   EXPECT_EQ(t.rows.size(), 5u * 3);
   EXPECT_EQ(t.rows[1][2], "2310 *") << "the mark of a bound";
+  EXPECT_THAT(to_latex(t), HasSubstr("\\begin{tabular}{llrrlrr}"));
+  EXPECT_THAT(to_markdown(t), HasSubstr("|---|---|---:|---:|---|---:|---:|"));
 }
 
 TEST(PaperTables, MarkdownByHand) {
@@ -50,8 +55,33 @@ TEST(PaperTables, LatexByHand) {
   const PaperTable t{"x", "50 %.", {"model", "ω"}, {{"a_b", "1 ± 2"}}};
   EXPECT_EQ(to_latex(t),
             "% needs \\usepackage{booktabs}\n\\begin{table}\n  \\caption{50 \\%.}\n  \\label{tab:x}\n  \\centering\n"
-            "  \\begin{tabular}{lr}\n    \\toprule\n    model & $\\omega$ \\\\\n    \\midrule\n    a\\_b & 1 $\\pm$ 2 \\\\\n"
+            "  \\footnotesize\\setlength{\\tabcolsep}{3pt}\n  \\begin{tabular}{lr}\n    \\toprule\n    model & $\\omega$ \\\\\n    "
+            "\\midrule\n    a\\_b & 1 $\\pm$ 2 \\\\\n"
             "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n");
+}
+
+TEST(PaperTables, WideTablesTakeBothColumnsOfAPage) {
+  EXPECT_THAT(to_latex(named("energies")), testing::AllOf(HasSubstr("\\begin{table*}"), HasSubstr("\\end{table*}")));
+  EXPECT_THAT(to_latex({"x", "", {"model", "v"}, {{"boids", "1"}}}), HasSubstr("\\begin{table}"));
+}
+
+TEST(PaperTables, TheRankingHasGroupsSkillAndTheHeldOutHalf) {
+  Comparison c = sample_comparison();
+  c.models[0].skill = {-0.07, 0.02};
+  PaperTable t = paper_tables(c).front();
+  EXPECT_THAT(t.head, testing::ElementsAre("model", "rank", "score", "95 %", "group", "fit p", "skill", "candidates"));
+  EXPECT_THAT(t.rows[0], testing::ElementsAre("bswarm", "1", "0.912", "0.88 to 0.93", "a", "0.50", "−0.07 ± 0.02", "2423"));
+  c.hold_out = {true, 1, 240, 261, 500};
+  c.models[0].held_out.score = 0.712;
+  t = paper_tables(c).front();
+  EXPECT_EQ(t.rows[0][7], "0.712");
+  EXPECT_EQ(t.rows[0][8], "0.200");
+  EXPECT_THAT(t.caption, HasSubstr("frames 261 to 500"));
+}
+
+TEST(PaperTables, PowersAndMinusSignsAreLatex) {
+  EXPECT_EQ(latex_text("10⁻¹² mm/s¹·⁵"), "10$^{-12}$ mm/s$^{1.5}$");
+  EXPECT_EQ(latex_text("a·b² · −3"), "a$\\cdot$b$^{2}$ $\\cdot$ $-$3");
 }
 
 TEST(PaperTables, TextOfUnknownOriginStaysText) {

@@ -9,9 +9,11 @@
 
 #include "libtrack/error.h"
 #include "libtrack/file.h"
+#include "reports/figures.h"
 #include "reports/html.h"
 #include "reports/json.h"
 #include "reports/paper_tables.h"
+#include "reports/run_files.h"
 #include "reports/tables.h"
 #include "tests/reports/sample.h"
 
@@ -44,7 +46,9 @@ class RunDirectory : public testing::Test {
 TEST_F(RunDirectory, HoldsEverythingAndNoLeftovers) {
   const Comparison c = sample_comparison();
   write_run(dir("new/run"), c);
-  std::vector<std::string> expected = {"config.toml", "history.csv", "report.html", "results.json"};
+  std::vector<std::string> expected = {"config.toml", "history.csv", "report.html",         "results.json",
+                                       "methods.md",  "methods.tex", "figures/captions.md", "figures/captions.tex"};
+  for (const Figure& f : figures(c)) expected.push_back("figures/" + f.name + ".svg");
   for (const NamedTable& t : result_tables(c)) expected.push_back("tables/" + t.name);
   for (const PaperTable& t : paper_tables(c))
     for (const char* extension : {".md", ".tex"}) expected.push_back("tables/" + t.name + extension);
@@ -65,6 +69,44 @@ TEST_F(RunDirectory, ReplacesAnEarlierRun) {
   other.seed = 7;
   write_run(dir(), other);
   EXPECT_EQ(read_file(dir() + "/results.json"), to_json(other));
+}
+
+TEST_F(RunDirectory, FiguresOfAnEarlierRunGoAndThoseOfOthersStay) {
+  write_run(dir(), sample_at_lags());
+  ASSERT_TRUE(fs::exists(dir() + "/figures/density_v_lag4.svg"));
+  std::ofstream(dir() + "/figures/mine.svg") << "<svg/>";
+  write_run(dir(), sample_comparison());
+  EXPECT_FALSE(fs::exists(dir() + "/figures/density_v_lag4.svg"));
+  EXPECT_TRUE(fs::exists(dir() + "/figures/density_v.svg"));
+  EXPECT_TRUE(fs::exists(dir() + "/figures/mine.svg"));
+}
+
+TEST_F(RunDirectory, FilesComeInTheFormatThatIsAsked) {
+  write_run(dir(), sample_comparison());
+  const auto names = [&](const char* format) {
+    std::vector<std::string> out;
+    for (const RunFile& f : run_files(dir(), format)) {
+      EXPECT_TRUE(fs::is_regular_file(f.path)) << f.path;
+      out.push_back(f.name);
+    }
+    return out;
+  };
+  EXPECT_THAT(names("html"), testing::ElementsAre("report.html"));
+  EXPECT_THAT(names("pdf"), testing::AllOf(testing::SizeIs(12), testing::Contains("scores.pdf"), testing::Each(testing::EndsWith(".pdf"))));
+  EXPECT_THAT(names("svg"), testing::SizeIs(12));
+  EXPECT_THAT(names("tex"), testing::IsSupersetOf({"captions.tex", "energies.tex", "methods.tex", "ranking.tex"}));
+  EXPECT_THAT(names("md"), testing::IsSupersetOf({"captions.md", "energies.md", "methods.md", "ranking.md"}));
+  EXPECT_THAT(names("csv"), testing::AllOf(testing::Contains("pdfs.csv"), testing::Not(testing::Contains("history.csv"))));
+}
+
+TEST_F(RunDirectory, OnlyFinishedRunsAreReported) {
+  EXPECT_THROW(run_files(dir("nowhere"), "md"), InputError);
+  write_run(dir(), sample_comparison());
+  fs::remove_all(dir() + "/figures");
+  EXPECT_THROW(run_files(dir(), "svg"), InputError) << "a run of an older version";
+  EXPECT_NO_THROW(run_files(dir(), "csv"));
+  fs::remove(dir() + "/results.json");
+  EXPECT_THROW(run_files(dir(), "csv"), InputError);
 }
 
 TEST_F(RunDirectory, RefusesAFolderOfSomethingElse) {

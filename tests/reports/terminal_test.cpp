@@ -116,6 +116,11 @@ TEST(EvaluationText, ShowsBothSides) {
   e.simulated_distribution = c.models[0].distributions;
   const std::string text = evaluation_text(e, {});
   EXPECT_THAT(text, HasSubstr("Cartesian jerk"));
+  EXPECT_THAT(text, HasSubstr("\n recording     ▄▇██▆▄▂▂▁▁  ▅██▆"));
+  EXPECT_THAT(text, HasSubstr("\n simulation    ▃▇██▆▄▃▂▁▁  ▅██▇"));
+  EXPECT_TRUE(is_ascii(evaluation_text(e, {.colour = false, .unicode = false})));
+  e.binning.normalisation = Normalisation::separate;
+  EXPECT_THAT(evaluation_text(e, {}), HasSubstr("standardised by itself")) << "where a set lies is not shown";
   EXPECT_THAT(text, HasSubstr("1.04"));
   EXPECT_LE(widest(text), 110u);
 }

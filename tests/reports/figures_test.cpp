@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "reports/figures.h"
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "reports/svg.h"
+#include "tests/reports/sample.h"
+
+namespace swarmfit {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+Figure named(const std::vector<Figure>& all, const std::string& name) {
+  for (const Figure& f : all)
+    if (f.name == name) return f;
+  return {};
+}
+
+std::size_t occurrences(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+// Matchers of the whole text would print it on failure.
+bool holds(const std::string& text, const std::string& pattern) { return std::regex_search(text, std::regex(pattern)); }
+
+// Without an independent reader of XML there is no test.
+void expect_xml(const std::vector<Figure>& all) {
+  if (std::system("command -v python3 >/dev/null") != 0) GTEST_SKIP() << "there is no python3 on this machine";
+  namespace fs = std::filesystem;
+  const fs::path dir =
+      fs::path(testing::TempDir()) / ("figures_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  fs::remove_all(dir);
+  fs::create_directories(dir);
+  for (const Figure& f : all) std::ofstream(dir / (f.name + ".svg"), std::ios::binary) << f.svg;
+  const std::string program = "import sys, glob, xml.etree.ElementTree as E; [E.parse(f) for f in glob.glob(sys.argv[1] + '/*.svg')]";
+  const int status = std::system(("python3 -c \"" + program + "\" '" + dir.string() + "'").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 0) << "not well-formed";
+  fs::remove_all(dir);
+}
+
+TEST(Figures, AreAllThere) {
+  std::vector<std::string> names;
+  for (const Figure& f : figures(sample_comparison())) names.push_back(f.name);
+  EXPECT_THAT(names, testing::ElementsAre("densities", "scores", "energies", "convergence", "parameters", "density_v", "density_a",
+                                          "density_omega", "density_alpha", "density_mu", "density_d", "density_eta"));
+  EXPECT_FALSE(named(figures(sample_at_lags()), "density_mu_lag16").svg.empty());
+  for (const std::string& name : names) EXPECT_TRUE(is_figure(name + ".svg")) << name;
+  EXPECT_FALSE(is_figure("mine.svg"));
+}
+
+TEST(Figures, AreXmlAndAJournalsWidth) {
+  const std::vector<Figure> all = figures(sample_at_lags());
+  for (const Figure& f : all) {
+    EXPECT_TRUE(holds(f.svg.substr(0, 200), "width=\"(85|178)mm\"")) << f.name;
+    EXPECT_FALSE(holds(f.svg, "[^a-z](nan|inf)[^a-z]|href| style=|<script")) << f.name;
+    EXPECT_THAT(f.caption, HasSubstr("Recording swarm.txt")) << f.name;
+  }
+  expect_xml(all);
+}
+
+TEST(Figures, EqualValuesGiveEqualBytes) {
+  const auto one = figures(sample_at_lags()), other = figures(sample_at_lags());
+  for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].svg, other[k].svg);
+}
+
+TEST(Figures, HostileTextIsShown) {
+  const std::string hostile = "</text><script>alert(1)</script>&\x01\xff\xc0\"'";
+  Comparison c = sample_comparison({{hostile, 0.9, 0.01, 1.1}, {"boids", 0.5, 0.01, 1.3}});
+  c.data.unit = c.data.path = c.version = hostile;
+  for (ParameterResult& p : c.models[0].parameters) p.name = p.unit = hostile;
+  const std::vector<Figure> all = figures(c);
+  for (const Figure& f : all) EXPECT_FALSE(holds(f.svg, "<script>")) << f.name;
+  EXPECT_THAT(named(all, "scores").svg, HasSubstr("&lt;script&gt;alert(1)&lt;/script&gt;&amp;???"));
+  expect_xml(all);
+}
+
+TEST(Figures, WhatIsUndefinedIsLeftOutAndSaid) {
+  Comparison c = sample_comparison();
+  FitResult& r = c.models[1];
+  r.score = r.certainty.lower = r.certainty.upper = NAN;
+  r.raw_energies[kJerk] = r.raw_se[kSpeed] = NAN;
+  r.distributions[kSpeed] = {};
+  r.parameters[0].value = NAN;
+  for (ConvergencePoint& p : r.convergence) p.best = -INFINITY;
+  c.recording[kDistance] = {};
+  const std::vector<Figure> all = figures(c);
+  for (const Figure& f : all) EXPECT_FALSE(holds(f.svg, "[^a-z](nan|inf)[^a-z]")) << f.name;
+  EXPECT_THAT(named(all, "density_v").svg, HasSubstr(">No samples of v: bswarm[noise=perlin].</text>"));
+  EXPECT_THAT(named(all, "densities").svg, HasSubstr("No samples of d in the recording."));
+  EXPECT_THAT(named(all, "density_d").svg, IsEmpty());
+  EXPECT_THAT(named(all, "scores").svg, HasSubstr(">Without a score: bswarm[noise=perlin].</text>"));
+  EXPECT_THAT(named(all, "energies").svg, HasSubstr(">Undefined or below the axis in bswarm[noise=perlin]: μ.</text>"));
+  EXPECT_THAT(named(all, "convergence").svg, HasSubstr(">No finite score: bswarm[noise=perlin].</text>"));
+  expect_xml(all);
+}
+
+TEST(Figures, NothingToDrawIsNoFigure) { EXPECT_THAT(figures(Comparison{}), IsEmpty()); }
+
+TEST(Figures, SeriesDifferWithoutColour) {
+  std::vector<Sketch> many;
+  for (int k = 0; k < 12; ++k) many.push_back({"m" + std::to_string(k), 0.9 - 0.05 * k, 0.01, 1 + 0.02 * k});
+  const std::string svg = named(figures(sample_comparison(many)), "convergence").svg;
+  std::vector<std::string> looks;
+  const std::regex look("<path [^>]*stroke=\"(#[0-9a-f]+)\" stroke-width=\"0.9\"( stroke-dasharray=\"[^\"]*\")?");
+  for (std::sregex_iterator at(svg.begin(), svg.end(), look); at != std::sregex_iterator(); ++at)
+    looks.push_back((*at)[1].str() + (*at)[2].str());
+  ASSERT_EQ(looks.size(), 12u);
+  std::sort(looks.begin(), looks.end());
+  EXPECT_EQ(std::adjacent_find(looks.begin(), looks.end()), looks.end());
+}
+
+TEST(Figures, NoMoreThanEightCurvesInAPanel) {
+  std::vector<Sketch> many;
+  for (int k = 0; k < 10; ++k) many.push_back({"m" + std::to_string(k), 0.9 - 0.05 * k, 0.01, 1 + 0.02 * k});
+  const Figure f = named(figures(sample_comparison(many)), "density_v");
+  EXPECT_EQ(occurrences(f.svg, "<path"), 1u + 8);
+  EXPECT_THAT(f.svg.substr(f.svg.find("<rect")), AllOf(HasSubstr(">m7</text>"), Not(HasSubstr(">m8</text>"))));
+  EXPECT_THAT(f.svg, HasSubstr(">Not drawn: m8 and m9.</text>"));
+  EXPECT_THAT(f.caption, HasSubstr("Not drawn: m8 and m9."));
+}
+
+// The peak of the sample's speed: of the recording the area's highest point, of a narrow model beyond twice that.
+TEST(Figures, APeakBeyondTwiceTheRecordingsIsCutAndSaid) {
+  Comparison c = sample_comparison();
+  Histogram& h = c.models[3].distributions[kSpeed].histogram;
+  std::fill(h.counts.begin(), h.counts.end(), 0);
+  h.counts[50] = h.samples = 60000;
+  c.models[2].outside_fraction[kDistance] = 0.12;
+  const std::vector<Figure> all = figures(c);
+  EXPECT_THAT(named(all, "densities").caption, AllOf(HasSubstr("Cut at 2 times the recording's peak: v (boids)"),
+                                                     HasSubstr("Samples beyond the binned interval: d of bswarm[noise=gaussian] (12 %).")));
+  EXPECT_THAT(named(figures(sample_comparison()), "densities").caption, Not(HasSubstr("v (boids)")));
+}
+
+TEST(Figures, EveryModelHasItsIntervalAndLetter) {
+  const std::string svg = named(figures(sample_comparison()), "scores").svg;
+  EXPECT_EQ(occurrences(svg, "stroke-width=\"1.4\""), 5u) << "whiskers";
+  EXPECT_THAT(svg, AllOf(HasSubstr(">0.912</text>"), HasSubstr(">a</text>"), HasSubstr(">bswarm[noise=white]</text>"),
+                         HasSubstr("score, 95 % interval")));
+  Comparison held_out = sample_comparison();
+  held_out.hold_out = {true, 1, 240, 261, 500};
+  for (FitResult& r : held_out.models) r.held_out = {r.score - 0.1, r.raw_energies, r.certainty};
+  EXPECT_THAT(named(figures(held_out), "scores").svg, HasSubstr("hollow: held out"));
+}
+
+TEST(Figures, PosteriorsAreBarsBesideTheirValues) {
+  Comparison c = sample_comparison();
+  EXPECT_EQ(occurrences(named(figures(c), "parameters").svg, "stroke-width=\"1.4\""), 0u);
+  c.models[0].posterior.simulations = 1800;
+  c.models[0].parameters[0].posterior = {0.012, 0.01, 0.0141, 0.9, "identified", "chi_att", -0.83};
+  const Figure f = named(figures(c), "parameters");
+  EXPECT_EQ(occurrences(f.svg, "stroke-width=\"1.4\""), 1u);
+  EXPECT_THAT(f.svg, AllOf(HasSubstr(">gamma [1/mm]</text>"), HasSubstr(">0.0123 (0.0100 to 0.0141)</text>"), HasSubstr(">2310 *</text>")));
+  EXPECT_THAT(f.caption, HasSubstr("95 % of the posterior"));
+}
+
+TEST(Figures, CaptionsComeInBothLanguages) {
+  const std::vector<Figure> all = {{"density_v", "A_b 5 %.", "<svg/>"}};
+  EXPECT_THAT(captions_latex({{"scores", "", "<svg width=\"178mm\"/>"}}), HasSubstr("\\begin{figure*}")) << "as wide as a page";
+  EXPECT_EQ(captions_markdown(all), "**density\\_v.svg** A\\_b 5 %.\n");
+  EXPECT_THAT(captions_latex(all), HasSubstr("\\includegraphics{density_v.pdf}\n  \\caption{A\\_b 5 \\%.}\n  \\label{fig:density_v}"));
+}
+
+TEST(Svg, LengthsAreShort) {
+  EXPECT_EQ(svg::length(12.5), "12.5");
+  EXPECT_EQ(svg::length(-0.001), "0");
+  EXPECT_EQ(svg::length(3), "3");
+}
+
+TEST(Svg, OnlyCharactersOfXmlPass) {
+  EXPECT_EQ(svg::xml_escaped("ω ≤ 𝄞"), "ω ≤ 𝄞");
+  EXPECT_EQ(svg::xml_escaped("\xed\xa0\x80"), "???") << "a surrogate";
+  EXPECT_EQ(svg::xml_escaped("\xef\xbf\xbf"), "???") << "U+FFFF";
+  EXPECT_EQ(svg::xml_escaped("\xc0\xaf\xf0\x80\x80\xaf"), "??????") << "overlong";
+  EXPECT_EQ(svg::xml_escaped("\xe2\x82"), "??") << "cut short";
+}
+
+}  // namespace
+}  // namespace swarmfit
