@@ -19,6 +19,7 @@ int compare(const FitArguments&);  // two or more
 std::string command_of_run(const std::string& dir);
 int recover(const RecoverArguments&);
 int power(const PowerArguments&);
+int gallery(const GalleryArguments&);
 int list_models(const ModelsArguments&);
 int list_formats(const Common&);
 
