@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include "cli/commands.h"
 #include "cli/scenes.h"
 #include "cli/settings.h"
@@ -22,7 +24,7 @@ int gallery(const GalleryArguments& a) {
     scene.common.seed = a.common.seed;
     scene.frames = kFrames;
     const Scene made = simulated(scene);
-    exhibits.push_back({card_of(made), "swarmfit simulate " + name + ' ' + scene_flags(name) + " --html " + name + ".html", made.tracks});
+    exhibits.push_back({card_of(made), fmt::format("swarmfit simulate {0} {1} --html {0}.html", name, scene_flags(name)), made.tracks});
   }
   write_file_atomically(a.out, gallery_html(exhibits, kVersion));
   return 0;

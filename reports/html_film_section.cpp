@@ -14,8 +14,8 @@ std::string what_is_shown(const Comparison& c) {
   const auto frames = c.film.frames();
   const auto shown = static_cast<std::int64_t>(frames.size()), all = static_cast<std::int64_t>(c.data.frames);
   const double seconds = static_cast<double>(frames.back().number - frames.front().number) * c.film.dt();
-  const std::string which = shown < all ? fmt::format("the first {} of {} frames", counted(shown), counted(all)) : "every frame";
-  return fmt::format("Shown is {}, from {} to {}: {} s.", which, frames.front().number, frames.back().number, brief(seconds));
+  const std::string which = shown < all ? fmt::format("are the first {} of {} frames", counted(shown), counted(all)) : "is every frame";
+  return fmt::format("Shown {}, from {} to {}: {} s.", which, frames.front().number, frames.back().number, brief(seconds));
 }
 
 constexpr const char* kModels =

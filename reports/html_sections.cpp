@@ -153,8 +153,8 @@ Html pdf_figures(const Comparison& c) {
     }
     out += Html{fmt::format(
         "<figure><h3>{0} {1}</h3><div class=\"canvas\"><canvas id=\"pdf-{2}\" role=\"img\" "
-        "aria-label=\"Density of the {0} in the recording and in every model\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
-        name, symbol, c.columns[m].key(), html_escaped(remark))};
+        "aria-label=\"Density of the {0}{4}\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
+        name, symbol, c.columns[m].key(), html_escaped(remark), c.models.empty() ? "" : " in the recording and in every model")};
   }
   return out;
 }

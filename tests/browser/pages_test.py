@@ -152,14 +152,19 @@ class Reports(Page):
         self.browser.press(buttons[0], " ")
         self.assertEqual(self.browser.run(RANKED), ranked)
 
+    # In every column of numbers, so that some have different orders as text.
     def test_sorting_is_by_number(self):
         self.open("compare")
-        column = self.browser.run("return [...document.querySelectorAll('#ranking thead th')].findIndex((th) => th.textContent === 'score')")
-        self.browser.click(self.browser.find(f"#ranking thead th:nth-child({column + 1}) button"))
-        scores = self.browser.run("return [...document.querySelectorAll('#ranking tbody tr')].map((r) => Number(r.cells[arguments[0]].textContent))",
-                                  column)
-        self.assertEqual(scores, sorted(scores))
-        self.assertLess(scores[0], scores[-1])
+        values = "return [...document.querySelectorAll('#ranking tbody tr')].map((row) => parseFloat(row.cells[arguments[0]].textContent))"
+        orders = set()
+        for column in range(2, self.browser.run("return document.querySelector('#ranking tr').cells.length")):
+            if not self.browser.find_all(f"#ranking thead th:nth-child({column + 1}) button"):
+                continue
+            self.browser.click(self.browser.find(f"#ranking thead th:nth-child({column + 1}) button"))
+            shown = self.browser.run(values, column)
+            self.assertEqual(shown, sorted(shown), column)
+            orders.add(tuple(shown) == tuple(sorted(shown, key=str)))
+        self.assertIn(False, orders, "no column tells numbers from text")
 
     def test_charts_follow_the_legend(self):
         self.open("compare")
@@ -278,7 +283,8 @@ class Players(Page):
             self.scrub(0)
             canvas = reference(self.browser.find(".stage canvas"))
             self.assertGreater(self.browser.run(ink, canvas, 0), 50, "scale")
-            self.assertEqual(self.browser.run(ink, canvas, 0.74) > 20, axes, "axes")
+            if axes:
+                self.assertGreater(self.browser.run(ink, canvas, 0.74), 20, "axes")
 
     # From above: no turning, arrows move; a gap is a hole in a tail, and who is not seen is not drawn.
     def test_flat_recording(self):
@@ -335,6 +341,22 @@ class OtherPages(Page):
         self.open_player("simulate")
         self.expect_pictures(self.browser.run("return document.querySelectorAll('.canvas').length"), 1)
         self.assertIn("Vicsek", self.browser.text(self.browser.find("#model")))
+
+    # All move at nearly the same speed, so colours by speed are few, and by individual twelve.
+    def test_colours_tell_individuals_apart(self):
+        self.open_player("simulate")
+        self.scrub(10)
+        self.set(".player label input[type=range]", 0)
+        hues = """
+            const c = document.querySelector(".stage canvas"), data = c.getContext("2d").getImageData(0, 0, c.width, c.height - 30).data, counts = {};
+            for (let k = 0; k < data.length; k += 4) {
+              const least = Math.min(data[k], data[k + 1], data[k + 2]), most = Math.max(data[k], data[k + 1], data[k + 2]);
+              if (most - least > 30) counts[[data[k], data[k + 1], data[k + 2]]] = (counts[[data[k], data[k + 1], data[k + 2]]] || 0) + 1;
+            }
+            return Object.values(counts).filter((n) => n > 25).length;"""
+        self.assertLessEqual(self.browser.run(hues), 7)
+        self.set(".player label:nth-of-type(2) select", "track")
+        self.assertGreaterEqual(self.browser.run(hues), 10)
 
     # Every model has a player, and only those in sight run.
     def test_gallery(self):

@@ -130,7 +130,7 @@ TEST(Report, UndefinedNumbersAreDashesAndNulls) {
 TEST(Report, ShowsTheRecordingAndEveryModelInMotion) {
   const Comparison c = sample_comparison();
   const std::string page = report_html(c);
-  EXPECT_THAT(markup_of(page), HasSubstr("Shown is the first 20 of 500 frames, from 1 to 20: 0.19 s."));
+  EXPECT_THAT(markup_of(page), HasSubstr("Shown are the first 20 of 500 frames, from 1 to 20: 0.19 s."));
   const json film = json::parse(between(page, "<div class=\"player\"><script type=\"application/json\">", "</script>"));
   EXPECT_EQ(film["dims"], 3);
   EXPECT_EQ(film["unit"], "mm");
