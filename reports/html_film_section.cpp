@@ -13,7 +13,7 @@ namespace {
 std::string what_is_shown(const Comparison& c) {
   const auto frames = c.film.frames();
   const auto shown = static_cast<std::int64_t>(frames.size()), all = static_cast<std::int64_t>(c.data.frames);
-  const double seconds = static_cast<double>(frames.back().number - frames.front().number) * c.film.dt();
+  const double seconds = static_cast<double>(shown - 1) * c.film.dt();  // frames without anybody are not played
   const std::string which = shown < all ? fmt::format("are the first {} of {} frames", counted(shown), counted(all)) : "is every frame";
   return fmt::format("Shown {}, from {} to {}: {} s.", which, frames.front().number, frames.back().number, brief(seconds));
 }

@@ -73,7 +73,7 @@ function scalesOf(film, frames) {
   }
   reach.sort();
   const at = (values, share) => values[Math.min(values.length - 1, Math.floor(share * values.length))] || 0;
-  return { lower, upper, speed: at(sorted, 0.98) || 1, typical: at(sorted, 0.5), reach: at(reach, 0.99) || 1 };
+  return { lower, upper, speed: at(sorted, 0.95) || 1, typical: at(sorted, 0.5), reach: at(reach, 0.99) || 1 };
 }
 
 // The middle of the group in every frame; of the nearest frame before where nobody is there.

@@ -61,12 +61,20 @@ class Player {
     this.scales = scales;
     const across = Math.hypot(...scales.upper.map((u, k) => u - scales.lower[k]));
     this.view.follow = across > 8 * scales.reach;
-    this.view.tail = Math.round(Math.max(5, Math.min(150, frames / 3, 0.22 * Math.min(across, 4 * scales.reach) / (scales.typical * dt || Infinity))));
+    this.view.tail = this.usualTail(films[0], across);
     this.longest = Math.max(this.view.tail, Math.min(300, frames - 1));
     this.rate = this.usualRate();
     this.build(films);
     this.repaint();
     this.watch();
+  }
+
+  // In frames: across a fifth of the picture, less in a crowd, where long tails hide everybody and take time.
+  usualTail(film, across) {
+    let crowd = 1;
+    for (let f = 0; f < this.clock.length; ++f) crowd = Math.max(crowd, film.first[f + 1] - film.first[f]);
+    const { reach, typical } = this.scales, far = 0.22 * Math.min(across, 4 * reach) * Math.min(1, Math.sqrt(100 / crowd));
+    return Math.round(Math.max(3, Math.min(150, this.clock.length / 3, far / (typical * this.data.dt || Infinity))));
   }
 
   // A film should last some 15 seconds, and motion be neither a blur nor a crawl.
@@ -134,7 +142,7 @@ class Player {
     this.key = make("p", { class: "note key-of-colours" }, "0 ", this.strip, ` ${number(this.scales.speed)} ${this.data.unit}/s and faster`);
     const turn = this.data.dims === 3 ? "drag to turn, with Shift to move" : "drag to move";
     return make("div", {}, this.key, make("p", {
-      class: "note hint", text: `In the pictures: ${turn}; Ctrl and the wheel, or the wheel after a click, to zoom. Keys: space, , . + − 0 and arrows.` }));
+      class: "note hint", text: `In the pictures: ${turn}; Ctrl and the wheel, or the wheel after a click, to zoom. Keys: space, comma and full stop, + and −, 0, arrows.` }));
   }
 
   listen() {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "libtrack/rng.h"
 #include "reports/html_table.h"
 #include "tests/reports/sample.h"
 
@@ -165,6 +166,32 @@ TEST(Report, WarningsBoxOnlyWithWarnings) {
 }
 
 TEST(Report, EqualValuesGiveEqualBytes) { EXPECT_EQ(report_html(sample_comparison()), report_html(sample_comparison())); }
+
+// As many points as a page may carry, of five models and the recording, and noisy ones, which compress badly. The time that this takes, as
+// the test program prints it, is that of such a report.
+TEST(Report, StaysSmallWithFilmsOfFullLength) {
+  Comparison c = sample_comparison();
+  const Rng rng{1};
+  for (std::size_t k = 0; k <= c.models.size(); ++k) {
+    TrackColumns columns;
+    columns.names.resize(166);
+    columns.pos.resize(500 * 166, 3);
+    for (Index i = 0; i < columns.pos.rows(); ++i) {
+      const auto track = static_cast<std::uint32_t>(i / 500);
+      columns.track.push_back(track);
+      columns.frame.push_back(1 + i % 500);
+      for (int axis = 0; axis < 3; ++axis) {
+        const double start = 200 * rng.uniform(Stream::start, track, static_cast<std::uint32_t>(axis));
+        const double phase = 0.02 * static_cast<double>(i % 500) + static_cast<double>(k), noise = rng.uniform(Stream::start, i, 9, axis);
+        columns.pos(i, axis) = start + 100 * std::sin(phase + start) + noise;
+      }
+    }
+    (k == 0 ? c.film : c.models[k - 1].film) = Tracks(std::move(columns), c.film.meta());
+  }
+  const std::string page = report_html(c);
+  EXPECT_LT(page.size(), 5'000'000u);
+  RecordProperty("bytes", static_cast<int>(page.size()));
+}
 
 TEST(Report, StaysSmall) { EXPECT_LT(report_html(sample_comparison()).size(), 1u << 20); }
 
