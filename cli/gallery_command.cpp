@@ -24,7 +24,8 @@ int gallery(const GalleryArguments& a) {
     scene.common.seed = a.common.seed;
     scene.frames = kFrames;
     const Scene made = simulated(scene);
-    exhibits.push_back({card_of(made), fmt::format("swarmfit simulate {0} {1} --html {0}.html", name, scene_flags(name)), made.tracks});
+    exhibits.push_back(
+        {card_of(made), fmt::format("swarmfit simulate {0} {1} --html {0}.html", name, scene_flags(name, kFrames)), made.tracks});
   }
   write_file_atomically(a.out, gallery_html(exhibits, kVersion));
   return 0;

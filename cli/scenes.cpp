@@ -94,9 +94,10 @@ SimulateArguments scene_of(const std::string& model) {
   return a;
 }
 
-std::string scene_flags(const std::string& model) {
+std::string scene_flags(const std::string& model, std::int64_t frames) {
   const Motif& m = motif_of(model);
-  std::string out = fmt::format("--agents {} --frames {} --warm-up {} --fps {:g}", m.agents, m.frames, m.warm_up, m.fps);
+  std::string out =
+      fmt::format("--agents {} --frames {} --warm-up {} --fps {:g}", m.agents, frames > 0 ? frames : m.frames, m.warm_up, m.fps);
   if (m.dims != 3) out += fmt::format(" --dims {}", m.dims);
   if (m.box != 20) out += fmt::format(" --box {:g}", m.box);
   if (m.start_radius > 0) out += fmt::format(" --start-radius {:g}", m.start_radius);

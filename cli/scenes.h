@@ -23,7 +23,7 @@ ModelCard card_of(const Scene&);
 
 // What shows best what a model is known for, in few frames; the defaults for models that need no help.
 SimulateArguments scene_of(const std::string& model);
-// The same as flags of `simulate`.
-std::string scene_flags(const std::string& model);
+// The same as flags of `simulate`, for another number of frames if one is given.
+std::string scene_flags(const std::string& model, std::int64_t frames = 0);
 
 }  // namespace swarmfit::cli

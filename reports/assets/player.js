@@ -164,7 +164,9 @@ class Player {
     new ResizeObserver(refit).observe(this.stage);
     for (const query of ["(prefers-color-scheme: dark)", "print"]) matchMedia(query).addEventListener("change", () => this.repaint());
     addEventListener("beforeprint", () => this.play(false));
-    let begun = still.matches;
+    const pictures = new IntersectionObserver((entries) => entries.forEach(({ target, isIntersecting }) => (this.stages.find((s) => s.canvas === target).seen = isIntersecting)));
+    this.stages.forEach((stage) => pictures.observe(stage.canvas));
+    let begun = still.matches || this.clock.length < 2;
     new IntersectionObserver(([entry]) => {
       this.seen = entry.isIntersecting;
       if (this.seen && !begun) (begun = true), this.play(true);
@@ -212,7 +214,7 @@ class Player {
     this.time.textContent = `${seconds.toFixed(2)} s · frame ${this.clock[f]}`;
     this.scrub.setAttribute("aria-valuetext", `${seconds.toFixed(2)} seconds`);
     this.tailText.textContent = ` ${number(this.view.tail * this.data.dt)} s`;
-    for (const stage of this.stages) stage.draw(this.position, this.view, this.paint);
+    for (const stage of this.stages) if (stage.seen || !this.playing) stage.draw(this.position, this.view, this.paint);
   }
 
   jump(frame) {
