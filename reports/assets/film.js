@@ -89,3 +89,20 @@ function middlesOf(film, frames) {
   }
   return out;
 }
+
+// The same without jolts where somebody appears or vanishes: means over some frames before and after, but never over a pause of the clock.
+function smoothed(middles, clock) {
+  const out = new Float32Array(middles.length), reach = 12;
+  for (let f = 0; f < clock.length; ++f) {
+    let a = f, b = f;
+    while (a > 0 && f - a < reach && clock[a - 1] === clock[a] - 1) --a;
+    while (b + 1 < clock.length && b - f < reach && clock[b + 1] === clock[b] + 1) ++b;
+    const half = Math.min(f - a, b - f);  // to both sides alike, or the view would run ahead at the ends
+    for (let axis = 0; axis < 3; ++axis) {
+      let sum = 0;
+      for (let k = f - half; k <= f + half; ++k) sum += middles[3 * k + axis];
+      out[3 * f + axis] = sum / (2 * half + 1);
+    }
+  }
+  return out;
+}

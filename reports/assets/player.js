@@ -60,7 +60,7 @@ class Player {
     const scales = scalesOf(films[0], frames);
     this.scales = scales;
     const across = Math.hypot(...scales.upper.map((u, k) => u - scales.lower[k]));
-    this.view.follow = across > 8 * scales.reach;
+    this.view.follow = across > 6 * scales.reach;
     this.view.tail = this.usualTail(films[0], across);
     this.longest = Math.max(this.view.tail, Math.min(300, frames - 1));
     this.rate = this.usualRate();
@@ -99,7 +99,7 @@ class Player {
     this.root.append(this.controls(), stage, this.legend());
     this.shape();
     this.stages = [...stage.querySelectorAll("canvas")].map((canvas, k) =>
-      new Stage(canvas, films[k], middlesOf(films[k], this.clock.length), this.data.dims, this.scales, this.data.unit, films.length));
+      new Stage(canvas, films[k], smoothed(middlesOf(films[k], this.clock.length), this.clock), this.data.dims, this.scales, this.data.unit, films.length));
     this.listen();
   }
 

@@ -39,6 +39,7 @@ class Stage {
       place: new Float32Array(5 * most), key: new Uint8Array(most), sorted: new Uint32Array(most), start: new Int32Array(LAYERS * BINS + 1),
     };
     this.crowd = most;
+    this.middle = [0, 0, 0];
     this.bySpeed = new Uint8Array(film.rows);
     for (let row = 0; row < film.rows; ++row) this.bySpeed[row] = Math.min(BINS - 1, Math.floor(BINS * film.speed[row] / scales.speed));
     this.fit();
@@ -64,11 +65,15 @@ class Stage {
     return 1.15 * Math.min(across, down) / (2 * half);
   }
 
+  middleAt(position, axis) {
+    const f = Math.floor(position), m = this.middles, a = m[3 * f + axis], b = 3 * f + 3 < m.length ? m[3 * f + 3 + axis] : a;
+    return a + (position - f) * (b - a);
+  }
+
   // From the world to the canvas: to the right, downwards, and away from the eye.
   look(position, view) {
     const scale = view.zoom * this.fullScale(view.follow), { lower, upper } = this.scales;
-    const f = 3 * Math.floor(position), m = this.middles;
-    this.middle = [0, 1, 2].map((axis) => (view.follow ? m[f + axis] : (lower[axis] + upper[axis]) / 2));
+    for (let axis = 0; axis < 3; ++axis) this.middle[axis] = view.follow ? this.middleAt(position, axis) : (lower[axis] + upper[axis]) / 2;
     const ca = Math.cos(view.azimuth), sa = Math.sin(view.azimuth), ce = Math.cos(view.elevation), se = Math.sin(view.elevation);
     const flat = this.dims === 2;
     const p = this.projection = flat

@@ -59,6 +59,12 @@ class Pages:
         self.run("simulate", "vicsek", "--dims", "2", "--agents", "40", "--frames", "30", "--html", "simulate.html")
         return self.url("simulate.html")
 
+    def flock(self):
+        """That flies far in comparison with its size."""
+        self.run("simulate", "boids", "--agents", "20", "--frames", "240", "--fps", "30", "--box", "0", "--start-radius", "1", "--set",
+                 "speed=4", "--set", "radius=3", "--warm-up", "60", "--html", "flock.html")
+        return self.url("flock.html")
+
     def gallery(self):
         self.run("gallery", "gallery.html")
         return self.url("gallery.html")

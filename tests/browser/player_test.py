@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The player of a report, used as a reader would."""
 
+import math
 import time
 
 from page_case import KEEP, Page
@@ -59,6 +60,29 @@ class Players(Page):
         self.browser.press(stage, "0")
         self.browser.run("window.kept = window.first")
         self.expect_unchanged("as at first")
+
+    # A group that travels is followed from the start, and then stays in the middle; in its box it crosses the picture.
+    def test_follows_the_group(self):
+        ink = """
+            const c = document.querySelector(".stage canvas"), data = c.getContext("2d").getImageData(0, 0, c.width, c.height - 40).data;
+            let x = 0, y = 0, n = 0;
+            for (let k = 0; k < data.length; k += 4)
+              if (Math.max(data[k], data[k + 1], data[k + 2]) - Math.min(data[k], data[k + 1], data[k + 2]) > 60) x += k / 4 % c.width, y += Math.floor(k / 4 / c.width), ++n;
+            return [x / n / c.width, y / n / c.width];"""
+        self.open_player("flock")
+        self.set(".player label input[type=range]", 0)
+        box = ".player input[type=checkbox]"
+        self.assertTrue(self.browser.run(f"return document.querySelector('{box}').checked"))
+        self.scrub(0)
+        middle = self.browser.run(ink)
+        for frame in 120, 239:
+            self.scrub(frame)
+            self.assertLess(math.dist(self.browser.run(ink), middle), 0.06)
+        self.browser.click(self.browser.find(box))
+        self.scrub(0)
+        start = self.browser.run(ink)
+        self.scrub(239)
+        self.assertGreater(math.dist(self.browser.run(ink), start), 0.25)
 
     def test_keys(self):
         self.open_player("compare")
