@@ -77,6 +77,8 @@ struct PowerArguments {
 struct DescribeArguments {
   Common common;
   DataArguments data;
+  std::string html;  // page to write, too
+  std::string line;  // the command as it was given, for the page
 };
 
 struct ConvertArguments {
@@ -101,13 +103,20 @@ struct WeighArguments {
 
 struct ModelsArguments {
   Common common;
-  std::string name;   // one model only
-  bool page = false;  // as Markdown
+  std::string name;    // one model only
+  bool page = false;   // as Markdown
+  bool scene = false;  // flags of `simulate`
+};
+
+struct GalleryArguments {
+  Common common;
+  std::string out;
 };
 
 struct SimulateArguments {
   Common common;
-  std::string model, out, picture;
+  std::string model, out, picture, html;
+  std::string line;  // the command as it was given, for the page
   std::vector<std::string> set;
   int agents = 100, dims = 3;
   std::int64_t frames = 500, warm_up = 0;

@@ -20,6 +20,7 @@ std::string command_of_run(const std::string& dir);
 int report(const ReportArguments&);  // the files of a run in a paper's formats
 int recover(const RecoverArguments&);
 int power(const PowerArguments&);
+int gallery(const GalleryArguments&);
 int list_models(const ModelsArguments&);
 int list_formats(const Common&);
 

@@ -108,7 +108,9 @@ int run_several(const FitArguments& a, const CompareOptions& options, const std:
     results.push_back(run_one(a, options, recordings[k], a.recordings[k], dir + '/' + names[k]));
     if (!a.common.json) std::printf("%s\n", ranking_text(results.back(), style()).c_str());
     pages.push_back({names[k], headline(results.back()).sentence});
-    results.back().history.clear();  // written, and long
+    results.back().history.clear();  // written, and long; films likewise
+    results.back().film = {};
+    for (auto& model : results.back().models) model.film = {};
   }
   const Across summary = across(results);
   write_across(dir, summary, pages, kVersion);

@@ -129,6 +129,7 @@ struct Program {
   ResumeArguments resume;
   ReportArguments report;
   ModelsArguments models;
+  GalleryArguments gallery;
   Common list;
   std::function<int()> chosen;
 
@@ -162,6 +163,7 @@ struct Program {
     auto& sub = command("describe", "what is in a recording and what is wrong with it", [this] { return cli::describe(describe); });
     add_common(sub, describe.common);
     add_data(sub, describe.data, "DATA", "recording: a file, - for standard input, or demo");
+    sub.add_option("--html", describe.html, "page to write, too: facts, warnings, the motion itself, distributions");
   }
 
   void add_convert() {
@@ -179,6 +181,7 @@ struct Program {
     sub.add_option("MODEL", a.model, "model with settings: bswarm, 'bswarm[noise=white]'; see swarmfit models")->required();
     sub.add_option("-o,--out", a.out, "CSV file to write; - for standard output");
     sub.add_option("--picture", a.picture, "SVG file to write: the last frame, with the paths to it as fading tails");
+    sub.add_option("--html", a.html, "page to write: the motion itself, parameters, distributions");
     sub.add_option("--set", a.set, "parameter=value, in simulation units")->take_all();
     sub.add_option("--agents", a.agents, "number of agents")->check(CLI::Range(1, 10000000))->capture_default_str();
     sub.add_option("--frames", a.frames, "frames to write")->check(CLI::PositiveNumber)->capture_default_str();
@@ -308,6 +311,10 @@ struct Program {
     add_common(all_models, models.common);
     all_models.add_option("NAME", models.name, "one model only, with its manual page");
     all_models.add_flag("--page", models.page, "its page of docs/models, as Markdown");
+    all_models.add_flag("--scene", models.scene, "flags of simulate for a scene that shows what it is known for");
+    auto& all_in_motion = command("gallery", "a page with every model in motion", [this] { return cli::gallery(gallery); });
+    add_common(all_in_motion, gallery.common);
+    all_in_motion.add_option("FILE", gallery.out, "page to write, such as gallery.html")->required();
     auto& all_formats = command("formats", "the file formats that can be read", [this] { return cli::list_formats(list); });
     add_common(all_formats, list);
   }
@@ -330,8 +337,27 @@ int resume_run(const ResumeArguments& a) {
   return program.chosen();
 }
 
+// The command as it was given, fit to be pasted into a shell.
+std::string command_line(int argc, char** argv) {
+  std::string line = "swarmfit";
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    const bool plain = word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+.,:/%@") == word.npos;
+    line += ' ';
+    if (plain && !word.empty()) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
 int run(int argc, char** argv) {
   Program program;
+  program.describe.line = program.simulate.line = command_line(argc, argv);
   try {
     program.app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -15,6 +15,7 @@
 #include "fit/hold_out.h"
 #include "fit/judge.h"
 #include "fit/sensitivity.h"
+#include "libtrack/cut.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -162,13 +163,15 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
 
   PerColumn<bool> clear = result.observation.used;
   for (std::size_t j = 0; j < clear.size(); ++j) clear[j] = clear[j] && !result.observation.drowned[j];
+  const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);
+  result.film = cut(conditions.recording, span.first, span.last);
   const Judge judge(conditions, clear, options.seed);
   Laws laws{{}, {}, {}, {options.seed}};
   std::vector<std::vector<Energies>> selections;
   for (std::size_t m = 0; m < options.models.size(); ++m) {
     const auto& search = calibration.searches()[m];
     const auto values = search.space().parameters(search.selected().x);
-    result.models.push_back(fit_result(search, options.models[m], conditions, target, calibration.weighting()));
+    result.models.push_back(fit_result(search, options.models[m], conditions, target, calibration.weighting(), span));
     judge.judge(result.models.back(), search.objective(), values, search.final_seeds());
     if (options.posterior) fill_posterior(result.models.back(), search, conditions, target, Rng{options.seed}.derive(Stream::posterior, m));
     selections.push_back(search.selections());

@@ -159,14 +159,9 @@ ObservationFacts observation_facts(const Conditions& c, const Target& target, co
   return facts;
 }
 
-void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, const Target& target, const CompareOptions& options) {
+DataFacts data_facts(const Tracks& recording, const Scales& scales) {
   const auto& meta = recording.meta();
-  r.command = options.models.size() > 1 ? "compare" : "fit";
-  r.seed = options.seed;
-  r.budget = options.budget;
-  r.protocol = options.protocol;
-  r.common = options.common;
-  DataFacts& d = r.data;
+  DataFacts d;
   d.path = meta.from.path;
   d.sha256 = meta.from.sha256;
   d.format = meta.from.format;
@@ -181,15 +176,18 @@ void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, con
   d.first_frame = recording.frames().front().number;
   d.last_frame = recording.frames().back().number;
   d.individuals_per_frame = static_cast<double>(d.rows) / static_cast<double>(d.frames);
-  d.extent = c.scales.extent;
-  d.spacing = c.scales.spacing;
-  d.speed = c.scales.speed;
+  d.extent = scales.extent;
+  d.spacing = scales.spacing;
+  d.speed = scales.speed;
   d.notes = meta.from.notes;
+  return d;
+}
+
+void fill_axes(Comparison& r, const Target& target) {
   r.binning = target.binning();
   r.recording = target.recording();
   const std::size_t columns = target.columns().size();
   r.columns = target.columns();
-  r.lags = lag_facts(r);
   r.defined = PerColumn<bool>(columns);
   r.axis_lower = r.axis_width = PerColumn<double>(columns);
   for (std::size_t j = 0; j < columns; ++j) {
@@ -197,6 +195,17 @@ void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, con
     r.axis_lower[j] = target.axis(j).lower;
     r.axis_width[j] = target.axis(j).width;
   }
+}
+
+void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, const Target& target, const CompareOptions& options) {
+  r.command = options.models.size() > 1 ? "compare" : "fit";
+  r.seed = options.seed;
+  r.budget = options.budget;
+  r.protocol = options.protocol;
+  r.common = options.common;
+  r.data = data_facts(recording, c.scales);
+  fill_axes(r, target);
+  r.lags = lag_facts(r);
 }
 
 std::vector<int> lags_for(const Conditions& c, const CompareOptions& options) {

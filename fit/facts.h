@@ -19,6 +19,12 @@ ObservationFacts observation_facts(const Conditions& conditions, const Target& t
 // where the tracks are too short for them.
 std::vector<int> lags_for(const Conditions& conditions, const CompareOptions& options);
 
+// What the recording is; not of one without rows.
+DataFacts data_facts(const Tracks& recording, const Scales& scales);
+
+// The recording's distributions and their axes.
+void fill_axes(Comparison& result, const Target& target);
+
 // Data, settings and axes of the result.
 void fill_facts(Comparison& result, const Tracks& recording, const Conditions& conditions, const Target& target,
                 const CompareOptions& options);

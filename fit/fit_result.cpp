@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fit/parameter_posterior.h"
+#include "libtrack/cut.h"
 
 namespace swarmfit {
 namespace {
@@ -51,7 +52,7 @@ void fill_ratios(FitResult& fit, const Target& target) {
 }  // namespace
 
 FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const Conditions& conditions, const Target& target,
-                     const Weighting& weighting) {
+                     const Weighting& weighting, const FilmSpan& span) {
   FitResult fit;
   fit.model = model.name;
   fit.summary = model.spec->summary;
@@ -63,7 +64,9 @@ FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const 
   fill_ratios(fit, target);
   const auto values = search.space().parameters(best.x);
   fit.half_step_energies = search.objective().evaluate(values, search.final_seeds(), 2).raw;
-  const Scales seen = natural_scales(search.objective().simulate(values, search.final_seeds().front()));
+  const Tracks first = search.objective().simulate(values, search.final_seeds().front());
+  const Scales seen = natural_scales(first);
+  fit.film = cut(first, span.first, span.last);
   fit.extent = seen.extent;
   fit.spacing = seen.spacing;
   fit.speed = seen.speed;

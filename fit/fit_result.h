@@ -3,13 +3,15 @@
 #pragma once
 
 #include "fit/calibration.h"
+#include "fit/film.h"
 #include "fit/results.h"
 
 namespace swarmfit {
 
-// What the selected parameters of a search came to: energies, ratios, scales, counts. Rank, skill and certainty are not known yet.
+// What the selected parameters of a search came to: energies, ratios, scales, counts, and a film. Rank, skill and certainty are not known
+// yet.
 FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const Conditions& conditions, const Target& target,
-                     const Weighting& weighting);
+                     const Weighting& weighting, const FilmSpan& span);
 
 // The posterior of its searched parameters (fit/parameter_posterior.h); nothing is done where nothing was searched.
 void fill_posterior(FitResult& fit, const ModelSearch& search, const Conditions& conditions, const Target& target, const Rng& rng);

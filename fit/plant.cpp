@@ -88,6 +88,17 @@ std::vector<double> scene_parameters(const ModelChoice& model, const std::map<st
   return values;
 }
 
+std::vector<ParameterResult> scene_table(const ModelChoice& model, const std::vector<double>& parameters, const std::string& unit) {
+  std::vector<ParameterResult> table;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const Parameter& row = model.spec->parameters[p];
+    if (!model.spec->uses(p, model.options)) continue;
+    table.push_back({std::string(row.name), std::string(row.symbol), to_string(row.unit, unit), std::string(row.meaning), parameters[p],
+                     row.scene.lower, row.scene.upper, false, row.log});
+  }
+  return table;
+}
+
 Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, const PlantOptions& options) {
   TrackCollector collector;
   Observer error(nullptr, options.dims == 3 ? Eigen::Array3d::Constant(options.sigma) : Eigen::Array3d(options.sigma, options.sigma, 0),

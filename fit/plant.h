@@ -2,6 +2,7 @@
 // Synthetic recordings: a model with known parameters, filmed by a camera with known faults.
 #pragma once
 
+#include "fit/results.h"
 #include "libswarm/model.h"
 #include "libtrack/tracks.h"
 
@@ -32,6 +33,9 @@ Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, co
 
 // The parameter table's defaults for scenes, with some set by name; throws InputError on an unknown name.
 std::vector<double> scene_parameters(const ModelChoice& model, const std::map<std::string, double>& set);
+
+// The rows of the parameter table that these settings use, with these values, in length units and seconds.
+std::vector<ParameterResult> scene_table(const ModelChoice& model, const std::vector<double>& parameters, const std::string& unit);
 
 // The built-in recording `demo`: a midge-like swarm of bswarm with curl noise, made by plant() with the constants of demo.cpp.
 Tracks demo_recording();

@@ -208,6 +208,7 @@ struct FitResult {
   std::vector<Estimate> panel;          // per item of PanelFacts
   std::vector<Estimate> vacf;           // per lag of PanelFacts
   PosteriorFacts posterior{};
+  Tracks film{};  // of the first final replicate, as observed: the frames of Comparison::film
 };
 
 // One row of history.csv: a candidate that was simulated.
@@ -258,6 +259,7 @@ struct Comparison {
   int laws = 0;                  // recordings made by each fitted model, behind FitResult::certainty; 0: none
   std::vector<LeftOut> without;  // per model by rank; empty for fewer than three
   PanelFacts panel;
+  Tracks film;                                              // the first frames of the recording, as compared (fit/film.h)
   std::vector<std::string> warnings;                        // sentences a reader must see before believing the table
   std::vector<std::pair<std::string, std::string>> config;  // every resolved flag of the command, name and TOML value, for config.toml
 };

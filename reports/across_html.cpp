@@ -33,6 +33,7 @@ Html link(const RecordingPage& page, std::string_view text) {
 // A table for print as one for the screen: the first column names the row.
 HtmlTable on_screen(const PaperTable& t) {
   HtmlTable out(t.caption);
+  out.sortable();
   std::vector<HtmlTable::Cell> head;
   for (std::size_t k = 0; k < t.head.size(); ++k) head.push_back(column(printable(t.head[k]), k > 0));
   out.head(head);
@@ -76,8 +77,9 @@ std::string across_detail(const Across& a) {
 std::string across_html(const Across& a, const std::vector<RecordingPage>& pages, const std::string& version) {
   std::string ranking, weights;
   for (const PaperTable& t : paper_tables(a)) (t.name == "across_ranking" ? ranking : weights) += on_screen(t).html().text;
-  return filled(assets::across_html, {{"policy", content_policy(assets::report_css, {})},
+  return filled(assets::across_html, {{"policy", content_policy(assets::report_css, {assets::sort_js})},
                                       {"css", std::string(assets::report_css)},
+                                      {"sort_js", std::string(assets::sort_js)},
                                       {"count", std::to_string(a.recordings.size())},
                                       {"sentence", html_escaped(across_sentence(a))},
                                       {"detail", html_escaped(across_detail(a))},

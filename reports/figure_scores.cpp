@@ -220,9 +220,9 @@ Figure energies(const Comparison& c) {
   double height = box.bottom() + (c.columns.size() > kMetrics ? 25 : 13);
   if (!absent.empty()) height = sheet.note(height + 8, std::string_view(absent).substr(1)) - 4;
   const std::string caption = fmt::format(
-      "Raw energies (L1 distance of the densities of recording and model; {}: disjoint) with one standard error over the final "
+      "Raw energies ({}) with one standard error over the final "
       "replicates.{}{}{}",
-      brief(worst_energy(c.binning)),
+      what_energy_means(c),
       c.laws > 0 ? " Grey: mean energy of recordings made by the model itself, what a perfect model would have." : "",
       any_left_out(c) ? " In brackets: not in the score." : "", absent);
   return {"energies", caption, sheet.document(height, "Raw energies by metric", caption)};

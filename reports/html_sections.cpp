@@ -52,6 +52,14 @@ Scale score_scale(const Comparison& c) {
   return scale;
 }
 
+// Beneath the chart of a column: what it weighs, or where nobody is compared, its mean and standard deviation.
+std::string column_remark(const Comparison& c, std::size_t m) {
+  const Moments& all = c.recording[m].moments;
+  if (c.models.empty())
+    return fmt::format("{} ± {} {}", rounded(all.mean), rounded(all.sd()), metric_unit(c.columns[m].metric, c.data.unit));
+  return counts(c, m) ? fmt::format("weight {}", fixed(c.weights[m], 3)) : "left out: " + why_left_out(c, m);
+}
+
 std::vector<std::string> remarks(const FitResult& r) {
   std::vector<std::string> out;
   const auto bounds = at_bounds(r);
@@ -91,6 +99,7 @@ Html warnings(const Comparison& c) {
 
 Html ranking(const Comparison& c) {
   HtmlTable table("Models by score, with their raw energies");
+  table.sortable();
   Cells head = {column("rank", true),  column("model"),       column("score", true),
                 column("score, 95 %"), column("fit p", true), column("skill ± se", true)};
   if (c.hold_out.used) head.insert(head.end(), {column("held out", true), column("gap", true)});
@@ -137,15 +146,15 @@ Html pdf_figures(const Comparison& c) {
   Html out;
   for (std::size_t m = 0; m < c.columns.size(); ++m) {
     const std::string name = c.columns[m].name(), symbol = c.columns[m].symbol();
-    const std::string remark = counts(c, m) ? fmt::format("weight {}", fixed(c.weights[m], 3)) : "left out: " + why_left_out(c, m);
+    const std::string remark = column_remark(c, m);
     if (c.recording[m].histogram.samples == 0) {
       out += Html{fmt::format("<figure><h3>{} {}</h3><p class=\"note\">No samples in this recording.</p></figure>\n", name, symbol)};
       continue;
     }
     out += Html{fmt::format(
         "<figure><h3>{0} {1}</h3><div class=\"canvas\"><canvas id=\"pdf-{2}\" role=\"img\" "
-        "aria-label=\"Density of the {0} in the recording and in every model\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
-        name, symbol, c.columns[m].key(), html_escaped(remark))};
+        "aria-label=\"Density of the {0}{4}\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
+        name, symbol, c.columns[m].key(), html_escaped(remark), c.models.empty() ? "" : " in the recording and in every model")};
   }
   return out;
 }

@@ -11,6 +11,7 @@ Html badge(const Comparison&);  // "synthetic data"
 Html data_facts(const Comparison&);
 Html warnings(const Comparison&);  // nothing if there are none
 Html ranking(const Comparison&);
+Html motion(const Comparison&);       // films of the recording and every model, a section of its own; nothing without a film
 Html legend(const Comparison&);       // check boxes of the charts
 Html pdf_figures(const Comparison&);  // an empty canvas per column
 Html pdf_note(const Comparison&);

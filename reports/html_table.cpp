@@ -76,7 +76,8 @@ HtmlTable& HtmlTable::add(std::string& part, std::string_view row_classes, const
 Html HtmlTable::html() const {
   const std::string caption = html_escaped(caption_);
   std::string out =
-      fmt::format("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\"><table><caption>{0}</caption>\n", caption);
+      fmt::format("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\"><table{1}><caption>{0}</caption>\n", caption,
+                  sortable_ ? " class=\"sortable\"" : "");
   if (!head_.empty()) out += "<thead>" + head_ + "</thead>\n";
   out += "<tbody>" + body_ + "</tbody>\n";
   if (!foot_.empty()) out += "<tfoot>" + foot_ + "</tfoot>\n";

@@ -42,11 +42,16 @@ class HtmlTable {
   HtmlTable& head(const std::vector<Cell>& cells) { return add(head_, "", cells); }
   HtmlTable& row(const std::vector<Cell>& cells, std::string_view classes = "") { return add(body_, classes, cells); }
   HtmlTable& foot(const std::vector<Cell>& cells) { return add(foot_, "", cells); }
+  HtmlTable& sortable() {  // by its headings, where the page has the script
+    sortable_ = true;
+    return *this;
+  }
   Html html() const;
 
  private:
   HtmlTable& add(std::string& part, std::string_view classes, const std::vector<Cell>& cells);
   std::string caption_, head_, body_, foot_;
+  bool sortable_ = false;
 };
 
 HtmlTable::Cell name_cell(Html content);  // heads a row

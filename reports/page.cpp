@@ -17,9 +17,7 @@ std::string allowed(std::string_view text) {
   unsigned length = 0;
   if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
     throw RunError("report: cannot compute SHA-256");
-  std::array<unsigned char, 4 * ((EVP_MAX_MD_SIZE + 2) / 3) + 1> base64{};
-  EVP_EncodeBlock(base64.data(), digest.data(), static_cast<int>(length));
-  return fmt::format("'sha256-{}'", reinterpret_cast<const char*>(base64.data()));
+  return fmt::format("'sha256-{}'", base64({reinterpret_cast<const char*>(digest.data()), length}));
 }
 
 }  // namespace
@@ -41,6 +39,14 @@ std::string content_policy(std::string_view style, const std::vector<std::string
   for (const std::string_view script : scripts) sources += ' ' + allowed(script);
   if (scripts.empty()) sources = " 'none'";
   return fmt::format("default-src 'none'; script-src{}; style-src {}; base-uri 'none'; form-action 'none'", sources, allowed(style));
+}
+
+std::string base64(std::string_view bytes) {
+  std::string out(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // and the zero that it ends with
+  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(out.data()), reinterpret_cast<const unsigned char*>(bytes.data()),
+                  static_cast<int>(bytes.size()));
+  out.pop_back();
+  return out;
 }
 
 std::string embedded(std::string_view json) {

@@ -17,6 +17,8 @@ std::string filled(std::string_view page, const PageValues& values);
 // Content security policy of a page with this style sheet and these scripts, each allowed by its hash, and nothing else.
 std::string content_policy(std::string_view style, const std::vector<std::string_view>& scripts);
 
+std::string base64(std::string_view bytes);
+
 // JSON text that cannot end the script element it stands in.
 std::string embedded(std::string_view json);
 

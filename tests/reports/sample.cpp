@@ -40,6 +40,26 @@ double energy(const Histogram& a, const Histogram& b) {
   return sum;
 }
 
+// Four individuals on circles, for twenty frames; the last one misses two.
+Tracks film(double stretch) {
+  TrackColumns columns;
+  columns.names = {"a", "b", "c", "d"};
+  columns.pos.resize(78, 3);
+  for (std::int64_t frame = 1; frame <= 20; ++frame)
+    for (std::uint32_t track = 0; track < 4; ++track) {
+      if (track == 3 && (frame == 8 || frame == 9)) continue;
+      const double angle = 0.2 * static_cast<double>(frame) + track;
+      columns.pos.row(static_cast<Index>(columns.track.size())) << stretch * 50 * std::cos(angle), stretch * 50 * std::sin(angle),
+          10.0 * track;
+      columns.track.push_back(track);
+      columns.frame.push_back(frame);
+    }
+  TrackMeta meta;
+  meta.dt = 0.01;
+  meta.unit = "mm";
+  return {std::move(columns), meta};
+}
+
 FitResult fit_result(const Comparison& c, const Sketch& sketch, int rank) {
   FitResult r;
   r.model = sketch.name;
@@ -86,6 +106,7 @@ FitResult fit_result(const Comparison& c, const Sketch& sketch, int rank) {
   }
   for (const Estimate& e : c.panel.recording) r.panel.push_back({sketch.stretch * e.value, 0.5 * e.se});
   for (const Estimate& e : c.panel.recording_vacf) r.vacf.push_back({std::pow(e.value, 2), 0.5 * e.se});
+  r.film = film(sketch.stretch);
   for (int pass = 1; pass <= 3; ++pass)
     for (int k = 1; k <= 20; ++k)
       r.convergence.push_back({pass, 800 * (pass - 1) + 40 * k, sketch.score - 0.4 * std::exp(-0.25 * k - 1.5 * (pass - 1))});
@@ -195,6 +216,7 @@ Comparison sample_comparison(const std::vector<Sketch>& models) {
   add_weights(c);
   add_skill(c);
   c.defined.fill(true);
+  c.film = film(1);
   for (std::size_t m = 0; m < kMetrics; ++m) {
     c.recording[m] = distribution(m, 1);
     c.axis_width[m] = kSd[m] / 10;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What a page plays: the first frames of a recording, and the same frames of one simulation of every model.
+#pragma once
+
+#include "libtrack/tracks.h"
+
+namespace swarmfit {
+
+// Frame numbers [first, last), in the recording's numbering.
+struct FilmSpan {
+  std::int64_t first = 0, last = 0;
+};
+
+inline constexpr std::size_t kFilmFrames = 600;  // at most
+inline constexpr Index kFilmPoints = 500000;     // at most, in all films of a page together; some 6 bytes each in the page
+
+// The longest span from the recording's first frame on that keeps both limits, `films` tracks of the recording's size being shown; one
+// frame at least; cut() then makes a film. Every frame is in it: who judges motion by eye wants to see it at its own frame interval, not a
+// quick run through all of it. Empty for tracks without rows.
+FilmSpan film_span(const Tracks& recording, std::size_t films);
+
+}  // namespace swarmfit

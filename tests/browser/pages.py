@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""Pages for the tests, made by the program on recordings small enough to take seconds."""
+
+import json
+import pathlib
+import subprocess
+
+QUICK = ["--budget", "quick", "--max-evaluations", "20", "--replicates", "1", "-q"]
+DEMO = ["demo", "--frames", "0:60"]
+MODELS = ["brownian", "langevin", "bswarm"]
+
+# What a hostile recording says wherever it may say something.
+ATTACK = "<script>alert(1)</script>"
+HOSTILE_NAME = "<img src=x onerror=alert(2)>\"'&lt;script&gt;{{data}}.csv"
+HOSTILE_UNIT = "\"'><svg onload=alert(3)>"
+LONG_NAME = "n" * 10000
+HOSTILE_FLAGS = ["--columns", f"id={ATTACK},frame={LONG_NAME},x=x,y=y,z=z", "--fps", "50", "--unit", HOSTILE_UNIT]
+
+
+class Pages:
+    """Runs the program in `folder` and says where its pages are."""
+
+    def __init__(self, program, folder):
+        self.program = str(pathlib.Path(program).resolve())
+        self.folder = pathlib.Path(folder)
+
+    def run(self, *arguments):
+        done = subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=300, check=False)
+        if done.returncode != 0:
+            raise RuntimeError(f"{' '.join(arguments)}: {done.stderr.strip()}")
+
+    def url(self, *path):
+        return self.folder.joinpath(*path).resolve().as_uri()
+
+    def compare(self):
+        self.run("compare", *DEMO, "-m", ",".join(MODELS), *QUICK, "--out", "compare")
+        return self.url("compare", "report.html")
+
+    def fit(self):
+        self.run("fit", *DEMO, "-m", "brownian", *QUICK, "--out", "fit")
+        return self.url("fit", "report.html")
+
+    def several(self):
+        """Two flat recordings, one of them with gaps."""
+        for name, more in ("herd", []), ("gaps & more", ["--dropout", "0.05", "--seed", "2"]):
+            self.run("simulate", "brownian", "--dims", "2", "--agents", "12", "--frames", "60", "--unit", "m", "--out", f"{name}.csv", *more)
+        self.run("compare", "herd.csv", "gaps & more.csv", "-m", ",".join(MODELS), *QUICK, "--out", "several")
+        return self.url("several", "report.html")
+
+    def flat(self):
+        """The report of one of several()."""
+        return self.url("several", "gaps & more", "report.html")
+
+    def describe(self):
+        self.run("describe", *DEMO, "--html", "describe.html")
+        return self.url("describe.html")
+
+    def simulate(self):
+        self.run("simulate", "vicsek", "--dims", "2", "--agents", "40", "--frames", "30", "--html", "simulate.html")
+        return self.url("simulate.html")
+
+    def flock(self):
+        """That flies far in comparison with its size."""
+        self.run("simulate", "boids", "--agents", "20", "--frames", "240", "--fps", "30", "--box", "0", "--start-radius", "1", "--set",
+                 "speed=4", "--set", "radius=3", "--warm-up", "60", "--html", "flock.html")
+        return self.url("flock.html")
+
+    def gallery(self):
+        self.run("gallery", "gallery.html")
+        return self.url("gallery.html")
+
+    def models(self):
+        """Names of all models."""
+        listed = subprocess.run([self.program, "models", "--json"], capture_output=True, text=True, timeout=60, check=True)
+        return [model["name"] for model in json.loads(listed.stdout)["models"]]
+
+    def hostile_recording(self):
+        """The same recording as a page of its own."""
+        self.hostile()
+        self.run("describe", HOSTILE_NAME, *HOSTILE_FLAGS, "--html", "recording.html")
+        return self.url("recording.html")
+
+    def hostile(self):
+        self.run("simulate", "brownian", "--agents", "6", "--frames", "60", "--out", "plain.csv")
+        table = [line.split(",") for line in (self.folder / "plain.csv").read_text().splitlines() if not line.startswith("#")]
+        head = [f"\"{ATTACK}\"", LONG_NAME, "x", "y", "z"]
+        at = {name: table[0].index(name) for name in ("id", "frame", "x", "y", "z")}
+        rows = [[f"\"{ATTACK}{row[at['id']]}\"", *(row[at[name]] for name in ("frame", "x", "y", "z"))] for row in table[1:]]
+        rows[7][2] = rows[20][4] = "NaN"
+        (self.folder / HOSTILE_NAME).write_text("\n".join(",".join(row) for row in [head, *rows]) + "\n")
+        self.run("compare", HOSTILE_NAME, *HOSTILE_FLAGS, "-m", "brownian,langevin", *QUICK, "--out", "hostile")
+        return self.url("hostile", "report.html")

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""pages_test.py SWARMFIT [TEST...]: opens every kind of page in a real browser and uses it.
+
+Exit code 77, and a loud word, where there is no browser (packages chromium and chromium-driver)."""
+
+import shutil
+import sys
+import tempfile
+import unittest
+
+from page_case import Page
+from pages import ATTACK, HOSTILE_NAME, HOSTILE_UNIT, LONG_NAME, MODELS, Pages
+from player_test import Players  # noqa: F401  # its tests run with these
+from webdriver import ENTER, Browser, WebDriverError, missing
+
+SKIPPED = 77
+COLUMN_OF_MODELS = 1
+RANKED = "return [...document.querySelectorAll('#ranking tbody tr')].map((row) => row.cells[1].textContent.trim())"
+
+
+class Reports(Page):
+    def test_comparison_is_drawn(self):
+        self.open_player("compare")
+        charts = self.browser.run("return document.querySelectorAll('figure h3').length") + 4
+        self.expect_pictures(charts, 1 + len(MODELS))
+
+    def test_fit_is_drawn(self):
+        self.open_player("fit")
+        self.expect_pictures(self.browser.run("return document.querySelectorAll('.canvas').length"), 2)
+
+    def test_ranking_sorts_by_mouse_and_keyboard(self):
+        self.open("compare")
+        ranked = self.browser.run(RANKED)
+        buttons = self.browser.find_all("#ranking thead button")
+        self.browser.click(buttons[COLUMN_OF_MODELS])
+        self.assertEqual(self.browser.run(RANKED), sorted(ranked))
+        sorts = "return [...document.querySelectorAll('#ranking th[aria-sort]')].map((th) => th.textContent + th.ariaSort)"
+        self.assertEqual(self.browser.run(sorts), ["modelascending"])
+        self.browser.press(buttons[COLUMN_OF_MODELS], ENTER)
+        self.assertEqual(self.browser.run(RANKED), sorted(ranked, reverse=True))
+        self.assertEqual(self.browser.run(sorts), ["modeldescending"])
+        self.browser.press(buttons[0], " ")
+        self.assertEqual(self.browser.run(RANKED), ranked)
+
+    # In every column of numbers, so that some have different orders as text.
+    def test_sorting_is_by_number(self):
+        self.open("compare")
+        values = "return [...document.querySelectorAll('#ranking tbody tr')].map((row) => parseFloat(row.cells[arguments[0]].textContent))"
+        orders = set()
+        for column in range(2, self.browser.run("return document.querySelector('#ranking tr').cells.length")):
+            if not self.browser.find_all(f"#ranking thead th:nth-child({column + 1}) button"):
+                continue
+            self.browser.click(self.browser.find(f"#ranking thead th:nth-child({column + 1}) button"))
+            shown = self.browser.run(values, column)
+            self.assertEqual(shown, sorted(shown), column)
+            orders.add(tuple(shown) == tuple(sorted(shown, key=str)))
+        self.assertIn(False, orders, "no column tells numbers from text")
+
+    def test_charts_follow_the_legend(self):
+        self.open("compare")
+        chart = self.browser.find("#energy-chart")
+        before = self.picture(chart)["print"]
+        self.browser.click(self.browser.find("#legend input[data-model='0']"))
+        self.assertNotEqual(self.picture(chart)["print"], before)
+
+    def test_several_recordings(self):
+        self.open("several")
+        rows = "return [...document.querySelectorAll('#ranking tbody tr')].map((row) => row.cells[0].textContent)"
+        ranked = self.browser.run(rows)
+        self.browser.click(self.browser.find("#ranking thead button"))
+        self.assertEqual(self.browser.run(rows), sorted(ranked))
+        self.browser.click(self.browser.find_all("#recordings a")[1])
+        self.wait("the recording's own report", "return document.querySelector('.player .stage') !== null")
+
+    def test_without_javascript_a_sentence(self):
+        self.browser.devtools("Emulation.setScriptExecutionDisabled", value=True)
+        try:
+            self.open("compare")
+            self.assertIn("needs JavaScript", self.browser.text(self.browser.find(".player")))
+        finally:
+            self.browser.devtools("Emulation.setScriptExecutionDisabled", value=False)
+
+
+class OtherPages(Page):
+    def test_recording_by_itself(self):
+        self.open_player("describe")
+        self.expect_pictures(7, 1)
+        self.assertIn("swarmfit describe demo --frames 0:60 --html describe.html", self.browser.text(self.browser.find("#repeat")))
+        chart = self.browser.find("#pdf-v")
+        before = self.picture(chart)["print"]
+        self.browser.click(self.browser.find("#log"))
+        self.assertNotEqual(self.picture(chart)["print"], before)
+
+    def test_simulation(self):
+        self.open_player("simulate")
+        self.expect_pictures(self.browser.run("return document.querySelectorAll('.canvas').length"), 1)
+        self.assertIn("Vicsek", self.browser.text(self.browser.find("#model")))
+
+    # All move at nearly the same speed, so colours by speed are few, and by individual twelve.
+    def test_colours_tell_individuals_apart(self):
+        self.open_player("simulate")
+        self.scrub(10)
+        self.set(".player label input[type=range]", 0)
+        hues = """
+            const c = document.querySelector(".stage canvas"), data = c.getContext("2d").getImageData(0, 0, c.width, c.height - 30).data, counts = {};
+            for (let k = 0; k < data.length; k += 4) {
+              const least = Math.min(data[k], data[k + 1], data[k + 2]), most = Math.max(data[k], data[k + 1], data[k + 2]);
+              if (most - least > 30) counts[[data[k], data[k + 1], data[k + 2]]] = (counts[[data[k], data[k + 1], data[k + 2]]] || 0) + 1;
+            }
+            return Object.values(counts).filter((n) => n > 25).length;"""
+        self.assertLessEqual(self.browser.run(hues), 7)
+        self.set(".player label:nth-of-type(2) select", "track")
+        self.assertGreaterEqual(self.browser.run(hues), 10)
+
+    # Every model has a player, and only those in sight run.
+    def test_gallery(self):
+        self.open("gallery")
+        names = self.pages.models()
+        self.wait("the players", "return document.querySelectorAll('.player .play').length === arguments[0]", len(names))
+        self.pause()
+        last = "return [...document.querySelectorAll('.player .time')].pop().textContent"
+        self.assertTrue(self.browser.run(last).startswith("0.00 s"))
+        self.assertEqual(self.browser.run("return [...document.querySelectorAll('h2')].map((h) => h.textContent)"), names)
+        self.expect_pictures(0, len(names))
+        self.browser.run("[...document.querySelectorAll('.player')].pop().scrollIntoView()")
+        self.wait("the last one to run", last.replace("return ", "return !") + ".startsWith('0.00 s')")
+
+
+class Hostile(Page):
+    # What was said is read, and is nothing but text: no element, no handler and no script more than on a page of harmless data.
+    def expect_harmless(self, kind, like):
+        counts = "return ['script', 'img', 'svg:not(.key, .place, .interval)', '[onload]', '[onerror]'].map((s) => document.querySelectorAll(s).length)"
+        self.open_player(like)
+        harmless = self.browser.run(counts)
+        self.open_player(kind)
+        with self.assertRaises(WebDriverError) as no_alert:
+            self.browser.call("GET", "/alert/text")
+        self.assertEqual(no_alert.exception.code, "no such alert")
+        self.assertEqual(self.browser.run(counts), harmless)
+        self.browser.run("for (const part of document.querySelectorAll('details')) part.open = true")
+        text = self.browser.run("return document.body.innerText")
+        for said in ATTACK, HOSTILE_NAME, HOSTILE_UNIT, LONG_NAME:
+            self.assertIn(said, text)
+
+    def test_report(self):
+        self.expect_harmless("hostile", "compare")
+        self.expect_pictures(self.browser.run("return document.querySelectorAll('.canvas').length"), 3)
+
+    def test_recording_by_itself(self):
+        self.expect_harmless("hostile_recording", "describe")
+        self.expect_pictures(self.browser.run("return document.querySelectorAll('.canvas').length"), 1)
+
+
+if __name__ == "__main__":
+    lacking = missing()
+    if lacking:
+        print(f"SKIPPED: no page was opened in a browser, since {' and '.join(lacking)} cannot be found; install chromium-driver")
+        sys.exit(SKIPPED)
+    place = tempfile.mkdtemp(prefix="swarmfit-pages-")
+    Page.pages = Pages(sys.argv.pop(1), place)
+    Page.browser = Browser()
+    try:
+        outcome = unittest.main(exit=False, verbosity=2).result
+    finally:
+        Page.browser.close()
+        shutil.rmtree(place, ignore_errors=True)
+    sys.exit(not outcome.wasSuccessful())
