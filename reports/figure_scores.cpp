@@ -70,7 +70,7 @@ std::string unscored(const Comparison& c) {
 
 std::string scores_caption(const Comparison& c) {
   std::string out = "Entropy-weighted scores of the models (higher is better)";
-  if (c.laws > 0) out += ", with 95 % intervals over recordings as long as this one. " + what_ranks_mean(c);
+  if (c.laws > 0) out += ", with intervals. " + what_ranks_mean(c);
   if (c.laws == 0) out += '.';
   if (c.hold_out.used) out += " Hollow: on the half of the recording that was held out.";
   return out + unscored(c);
