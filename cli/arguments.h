@@ -32,6 +32,7 @@ struct FitArguments {
   std::string out;
   std::string budget = "default";
   std::int64_t max_evaluations = 0;
+  double max_time = 0;  // [s]; 0: none
   std::vector<std::string> set, fix, bounds;
   std::string presence = "recorded", arena = "open", velocity = "difference", protocol = "default";
   std::string normalisation, scoring, observation_error, lags, resolution, calibration;  // empty: the protocol's
@@ -48,6 +49,7 @@ struct FitArguments {
 struct ResumeArguments {
   std::string dir;
   int threads = 0;
+  double max_time = 0;
   bool json = false, quiet = false;
 };
 

@@ -122,6 +122,7 @@ int run_several(const FitArguments& a, const CompareOptions& options, const std:
 
 int run(const FitArguments& a, const CompareOptions& options) {
   use_threads(a.common);
+  if (a.max_time > 0) stop_after(a.max_time);
   const std::string dir = !a.out.empty() ? a.out : "swarmfit-" + (a.recordings.size() > 1 ? "several" : name_of(a.recordings.front()));
   check_run_directory(dir);
   try {
@@ -132,7 +133,7 @@ int run(const FitArguments& a, const CompareOptions& options) {
     say_where(a, dir);
     return 0;
   } catch (const Interrupted&) {
-    std::fprintf(stderr, "swarmfit: interrupted; to go on: swarmfit resume %s\n", dir.c_str());
+    std::fprintf(stderr, "swarmfit: stopped before the end; to go on: swarmfit resume %s\n", dir.c_str());
     return kInterrupted;
   }
 }

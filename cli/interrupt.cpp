@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "cli/interrupt.h"
 
+#include <chrono>
 #include <csignal>
+#include <optional>
 
 namespace swarmfit::cli {
 namespace {
 
 volatile std::sig_atomic_t signalled = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): all a signal handler may touch
+
+std::optional<std::chrono::steady_clock::time_point> deadline;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 void on_signal(int number) {
   signalled = 1;
@@ -20,6 +24,11 @@ void install_interrupt_handler() {
   std::signal(SIGTERM, on_signal);
 }
 
-bool interrupted() { return signalled != 0; }
+void stop_after(double seconds) {
+  using Clock = std::chrono::steady_clock;
+  deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+bool interrupted() { return signalled != 0 || (deadline && std::chrono::steady_clock::now() >= *deadline); }
 
 }  // namespace swarmfit::cli

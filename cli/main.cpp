@@ -41,6 +41,13 @@ void add_data(CLI::App& app, DataArguments& data, const char* name, const char* 
   add_reading(app, data);
 }
 
+void add_max_time(CLI::App& app, double& seconds) {
+  app.add_option("--max-time", seconds,
+                 "stop after this time as Ctrl-C would, so that swarmfit resume goes on: 90, 45min or 12h; no part of the result")
+      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"min", 60}, {"h", 3600}}))
+      ->check(CLI::PositiveNumber);
+}
+
 void add_fit(CLI::App& app, FitArguments& a) {
   add_common(app, a.common);
   app.add_option("DATA", a.recordings, "recordings: files, - for standard input, or demo; several are compared one by one and summarised")
@@ -55,6 +62,7 @@ void add_fit(CLI::App& app, FitArguments& a) {
       ->capture_default_str();
   app.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
   app.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);
+  add_max_time(app, a.max_time);
   app.add_option("--replicates", a.replicates, "simulations per candidate, instead of the budget's")->check(CLI::NonNegativeNumber);
   app.add_flag(
       "--holdout", a.hold_out,
@@ -238,6 +246,7 @@ struct Program {
     auto& sub = command("resume", "go on with an interrupted fit or compare; same final bits", [this] { return resume_run(resume); });
     sub.add_option("RUN_DIR", resume.dir, "its run directory, started from the folder in which the run was started")->required();
     sub.add_option("--threads", resume.threads, "threads to use, 0 for all cores; never changes a result")->check(CLI::NonNegativeNumber);
+    add_max_time(sub, resume.max_time);
     sub.add_flag("--json", resume.json, "print JSON instead of text");
     sub.add_flag("-q,--quiet", resume.quiet, "no progress, no remarks");
   }
@@ -332,6 +341,7 @@ int resume_run(const ResumeArguments& a) {
   auto& fit = command == "fit" ? program.fit : program.compare;
   fit.resume = true;
   fit.common.threads = a.threads;
+  fit.max_time = a.max_time;
   fit.common.json = a.json;
   fit.common.quiet = a.quiet;
   return program.chosen();

@@ -33,7 +33,8 @@ std::vector<Presence::Visit> unseen_visits(const Tracks& tracks, int count) {
     const auto row = static_cast<Index>(u[0] * static_cast<double>(tracks.rows()));
     const auto& like = recorded[static_cast<std::size_t>(u[1] * static_cast<double>(recorded.size()))];
     visits.push_back({static_cast<std::uint32_t>(tracks.track_count()) + static_cast<std::uint32_t>(k), like.kind,
-                      tracks.frames().front().number, tracks.frames().back().number, tracks.pos().row(row).transpose(), like.vel, like.vel_error});
+                      tracks.frames().front().number, tracks.frames().back().number, tracks.pos().row(row).transpose(), like.vel,
+                      like.vel_error});
   }
   return visits;
 }

@@ -10,7 +10,7 @@ constexpr std::size_t kFrames = 5;
 
 // Line and parabola through the first frames of a visit, per axis; times in frames from their middle.
 struct Start {
-  std::size_t n = 0;  // frames
+  std::size_t n = 0;                                                                // frames
   Eigen::Array3d line = Eigen::Array3d::Zero(), parabola = Eigen::Array3d::Zero();  // derivatives at the first frame [unit/frame]
   Eigen::Array3d residual = Eigen::Array3d::Zero();                                 // sum of squares about the parabola [unit²]
   double line_variance = 0, parabola_variance = 0;                                  // of the derivatives, in variances of a position
@@ -44,8 +44,8 @@ Start start_of(const Tracks& tracks, std::span<const Index> run) {
 
 // What all visits say of the two, per axis.
 struct Judgement {
-  Eigen::Array3d error = Eigen::Array3d::Zero();              // standard deviation of positions about parabolas [unit]
-  Eigen::Array3d bias = Eigen::Array3d::Zero();               // mean square of the line's [unit²/frame²]
+  Eigen::Array3d error = Eigen::Array3d::Zero();                    // standard deviation of positions about parabolas [unit]
+  Eigen::Array3d bias = Eigen::Array3d::Zero();                     // mean square of the line's [unit²/frame²]
   Eigen::Array<bool, 3, 1> bent = decltype(bent)::Constant(false);  // the parabola errs less
 };
 
@@ -107,8 +107,7 @@ std::vector<Presence::Visit> recorded_visits(const Tracks& tracks) {
     const Eigen::Array3d variance = judgement.error.square();
     const auto& bent = judgement.bent;
     visits[v].vel = bent.select(s.parabola, s.line) / tracks.dt();
-    visits[v].vel_error =
-        bent.select(s.parabola_variance * variance, s.line_variance * variance + judgement.bias).sqrt() / tracks.dt();
+    visits[v].vel_error = bent.select(s.parabola_variance * variance, s.line_variance * variance + judgement.bias).sqrt() / tracks.dt();
   }
   return visits;
 }

@@ -16,8 +16,8 @@ struct Spread {
 };
 Spread spread(const std::vector<Densities>& runs, double worst);
 
-// The energy score of a recording y under a law X: E d(X, y) - E d(X, X') / 2 (Gneiting and Raftery 2007, Eq 21, with the L1 distance d, which
-// is of negative type). Over recordings, its expectation is least for the law that made them: it is a proper score. The distance
+// The energy score of a recording y under a law X: E d(X, y) - E d(X, X') / 2 (Gneiting and Raftery 2007, Eq 21, with the L1 distance d,
+// which is of negative type). Over recordings, its expectation is least for the law that made them: it is a proper score. The distance
 // between y and the pooled runs is not: a law whose runs all lie wide of y, each elsewhere, can look like y when pooled.
 struct EnergyScore {
   Energies value;              // in [0, worst], but for chance

@@ -222,8 +222,7 @@ Figure energies(const Comparison& c) {
   const std::string caption = fmt::format(
       "Raw energies ({}) with one standard error over the final "
       "replicates.{}{}{}",
-      what_energy_means(c),
-      c.laws > 0 ? " Grey: mean energy of recordings made by the model itself, what a perfect model would have." : "",
+      what_energy_means(c), c.laws > 0 ? " Grey: mean energy of recordings made by the model itself, what a perfect model would have." : "",
       any_left_out(c) ? " In brackets: not in the score." : "", absent);
   return {"energies", caption, sheet.document(height, "Raw energies by metric", caption)};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "reports/html_sections.h"
+#include "reports/methods.h"
 #include "reports/number.h"
 #include "reports/words.h"
 
@@ -61,13 +62,6 @@ double half_step_change(const Comparison& c, const FitResult& r) {
   return largest;
 }
 
-std::string sigma_text(const Comparison& c) {
-  std::string out;
-  for (int axis = 0; axis < c.data.dims; ++axis)
-    out += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], brief(c.observation.sigma[axis], 3));
-  return out + ' ' + c.data.unit;
-}
-
 std::string error_text(const Comparison& c) {
   const ObservationFacts& o = c.observation;
   if (o.error_source == "none") return "none added";
@@ -76,17 +70,6 @@ std::string error_text(const Comparison& c) {
 
 std::string smoothing_text(const Comparison& c) {
   return c.observation.smoothing > 0 ? fmt::format("Gaussian, {} frames, on both sides", brief(c.observation.smoothing)) : "none";
-}
-
-// "5 motion metrics (v, a, ω, d, η)"
-std::string metrics_text(const Comparison& c) {
-  std::string symbols;
-  int number = 0;
-  for (std::size_t m = 0; m < c.columns.size(); ++m) {
-    if (!counts(c, m)) continue;
-    symbols += fmt::format("{}{}", number++ > 0 ? ", " : "", c.columns[m].symbol());
-  }
-  return fmt::format("{} motion metrics ({})", number, symbols);
 }
 
 }  // namespace
@@ -153,43 +136,15 @@ Html observation(const Comparison& c) {
   return out;
 }
 
-Html energy_formula(const Comparison& c) {
-  if (c.binning.pooled) return {"its energy is Σ |Q<sub>recording</sub> − Q<sub>simulations</sub>|, all replicates pooled"};
-  return {"the distance of two is d = Σ |Q<sub>1</sub> − Q<sub>2</sub>|, and the energy is the energy score (Gneiting and Raftery 2007, "
-          "doi:10.1198/016214506000001437) of the recording: the mean of d between recording and replicates, less half its mean between two "
-          "replicates"};
-}
-
 Html methods(const Comparison& c) {
-  const std::string models = fmt::format("{} model{}", c.models.size(), c.models.size() == 1 ? " was" : "s were");
-  const std::string error = c.observation.error_source == "none" ? "" : fmt::format(", localisation error ({})", sigma_text(c));
-  const std::string smooth = c.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.observation.smoothing)) : "";
-  const std::string scouted =
-      c.budget.scout.rounds > 0 ? fmt::format(", starting from semi-automatic approximate Bayesian computation ({} simulations)",
-                                              c.budget.scout.rounds * c.budget.scout.simulations)
-                                : "";
-  const std::string scored = c.binning.pooled ? "" : ", energies being energy scores over replicates";
-  return escaped(fmt::format(
-      "{} fitted with swarmfit {} to {} frames of {} ({} individuals per frame, frame interval {} s{}). Simulations started "
-      "from the recording's "
-      "positions and velocities under its conditions (presence: {}, arena: {}{}{}). Parameters were searched by differential "
-      "evolution with refinement "
-      "inside bounds{} ({} replicates per candidate, budget {}), maximising the entropy-weighted score of {} "
-      "[1, 2]{}; the leaders were searched again with {} replicates and the best of them compared on {} others; final scores "
-      "rest on {} fresh replicates. Seed {}.",
-      models, c.version, c.data.frames, c.data.path, brief(c.data.individuals_per_frame, 3), brief(c.data.dt),
-      c.data.synthetic ? ", synthetic" : "", c.observation.presence, c.observation.arena, error, smooth, scouted,
-      c.budget.search.replicates, c.budget.name, metrics_text(c), scored, c.budget.selection.replicates, c.budget.confirmation_replicates, c.budget.final_replicates, c.seed));
+  Html out;
+  for (const std::string& paragraph : swarmfit::methods(c).paragraphs) out += element("p", "", escaped(paragraph));
+  return out;
 }
 
-Html model_references(const Comparison& c) {
-  std::vector<std::string> seen;
+Html references(const Comparison& c) {
   Html out;
-  for (const FitResult& r : c.models) {
-    if (r.citation.empty() || std::find(seen.begin(), seen.end(), r.citation) != seen.end()) continue;
-    seen.push_back(r.citation);
-    out += element("li", "", escaped(fmt::format("{} ({})", r.citation, r.model)));
-  }
+  for (const std::string& reference : swarmfit::methods(c).references) out += element("li", "", escaped(reference));
   return out;
 }
 
@@ -200,10 +155,9 @@ Html provenance(const Comparison& c) {
   out += fact("seed", std::to_string(c.seed));
   out += fact("protocol", c.protocol);
   out += fact("common parameters", fmt::format("{}", fmt::join(c.common, ", ")));
-  out += fact("budget", fmt::format("{}: scout {} × {}, search {}, selection {}, confirmation on {}, report on {} replicates", c.budget.name,
-                                    c.budget.scout.rounds, c.budget.scout.simulations,
-                                    size_text(c.budget.search), size_text(c.budget.selection), c.budget.confirmation_replicates,
-                                    c.budget.final_replicates));
+  out += fact("budget", fmt::format("{}: scout {} × {}, search {}, selection {}, confirmation on {}, report on {} replicates",
+                                    c.budget.name, c.budget.scout.rounds, c.budget.scout.simulations, size_text(c.budget.search),
+                                    size_text(c.budget.selection), c.budget.confirmation_replicates, c.budget.final_replicates));
   out += fact("calibration", c.mean_weights ? "each pass searches under the mean of all weights so far"
                                             : "each pass searches under the last weights, as published");
   out += fact("read as", c.data.format);

@@ -22,9 +22,8 @@ Html weights_converged(const Comparison&);
 Html parameters(const Comparison&);
 Html search(const Comparison&);
 Html observation(const Comparison&);
-Html energy_formula(const Comparison&);
-Html methods(const Comparison&);  // a paragraph to paste
-Html model_references(const Comparison&);
+Html methods(const Comparison&);  // paragraphs to paste
+Html references(const Comparison&);
 Html skill(const Comparison&);    // distances, floor and null; interaction
 Html without(const Comparison&);  // rankings with one model left out
 Html panel(const Comparison&);    // what was not fitted

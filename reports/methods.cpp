@@ -4,87 +4,102 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <utility>
-#include <vector>
 
+#include "reports/number.h"
 #include "reports/paper_text.h"
+#include "reports/words.h"
 
 namespace swarmfit {
 namespace {
 
-struct Language {
-  std::string (*text)(std::string_view);
-  std::string_view lowered, level;  // around a subscript
-};
-
-std::string_view section_of(std::string_view page) {
-  const std::size_t open = page.find("<section id=\"methods\"");
-  if (open == std::string_view::npos) return {};
-  page.remove_prefix(open);
-  return page.substr(0, page.find("</section>"));
+// "5 motion metrics (v, a, ω, d, η)"
+std::string metrics_text(const Comparison& c) {
+  std::string symbols;
+  int number = 0;
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    if (counts(c, m)) symbols += fmt::format("{}{}", number++ > 0 ? ", " : "", c.columns[m].symbol());
+  return fmt::format("{} motion metrics ({})", number, symbols);
 }
 
-// The contents of all elements of this name.
-std::vector<std::string_view> elements(std::string_view html, std::string_view name) {
-  const std::string open = fmt::format("<{}>", name), close = fmt::format("</{}>", name);
-  std::vector<std::string_view> out;
-  for (std::size_t at = html.find(open); at != std::string_view::npos; at = html.find(open, at)) {
-    at += open.size();
-    out.push_back(html.substr(at, html.find(close, at) - at));
-  }
-  return out;
+std::string what_was_done(const Comparison& c) {
+  const Budget& b = c.budget;
+  const std::string models = fmt::format("{} model{}", c.models.size(), c.models.size() == 1 ? " was" : "s were");
+  const std::string error = c.observation.error_source == "none" ? "" : fmt::format(", localisation error ({})", sigma_text(c));
+  const std::string smooth = c.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.observation.smoothing)) : "";
+  const int scouts = b.scout.rounds * b.scout.simulations;
+  const std::string scouted =
+      scouts > 0 ? fmt::format(", from starting points by semi-automatic approximate Bayesian computation ({} simulations) [6]", scouts)
+                 : "";
+  return fmt::format(
+      "{} fitted with swarmfit {} to {} frames of {} ({} individuals per frame, frame interval {} s{}). Simulations started from the "
+      "recording's positions and velocities under its conditions (presence: {}, arena: {}{}{}). Parameters were searched by differential "
+      "evolution with refinement inside bounds [3, 4]{} ({} replicates per candidate, budget {}), maximising the entropy-weighted score of "
+      "{} "
+      "[1, 2]; the leaders were searched again with {} replicates and the best of them compared on {} others; final scores rest on {} "
+      "fresh "
+      "replicates. Seed {}.",
+      models, c.version, c.data.frames, c.data.path, brief(c.data.individuals_per_frame, 3), brief(c.data.dt),
+      c.data.synthetic ? ", synthetic" : "", c.observation.presence, c.observation.arena, error, smooth, scouted, b.search.replicates,
+      b.name, metrics_text(c), b.selection.replicates, b.confirmation_replicates, b.final_replicates, c.seed);
 }
 
-// What html_escaped made of text is undone, and line breaks become spaces.
-std::string unescaped(std::string_view html) {
-  using Pair = std::pair<std::string_view, char>;
-  static constexpr std::array kEntities{Pair{"&lt;", '<'}, Pair{"&gt;", '>'}, Pair{"&quot;", '"'}, Pair{"&#39;", '\''}, Pair{"&amp;", '&'}};
-  std::string out;
-  while (!html.empty()) {
-    std::size_t used = 1;
-    char c = html.front() == '\n' ? ' ' : html.front();
-    for (const auto& [entity, character] : kEntities)
-      if (html.starts_with(entity)) c = character, used = entity.size();
-    out += c;
-    html.remove_prefix(used);
-  }
-  return out;
+std::string how_it_is_measured(const Comparison& c) {
+  const std::string energy =
+      c.binning.pooled
+          ? "its energy is the L1 distance Σ |Q − Q'| between the recording and all replicates pooled [1]"
+          : "its energy is the energy score of the recording, the mean L1 distance Σ |Q − Q'| between recording and replicates "
+            "less half its mean between two replicates [7]";
+  return fmt::format(
+      "Per individual and frame, with velocities v(k) = (p(k+1) − p(k))/dt: speed v, acceleration a, angular velocity ω, angular "
+      "acceleration "
+      "α, Cartesian jerk μ, distance d to the nearest neighbour, and velocity difference η = | |v(nearest)| − |v| | / d. Nothing is "
+      "differenced "
+      "across a gap. Each metric becomes a discrete density Q; {}, normalised over the models as (energy − p1)/p2 with p1 the least and p2 "
+      "the range. Weights follow from the entropy of the normalised energies, and the search is repeated until they settle.",
+      energy);
 }
 
-std::string translated(std::string_view html, const Language& language) {
-  std::string out;
-  while (!html.empty()) {
-    const std::size_t tag = std::min(html.find('<'), html.size());
-    out += language.text(unescaped(html.substr(0, tag)));
-    html.remove_prefix(tag);
-    if (html.starts_with("<sub>")) out += language.lowered;
-    if (html.starts_with("</sub>")) out += language.level;
-    html.remove_prefix(std::min(html.find('>'), html.size()));
-    html.remove_prefix(html.empty() ? 0 : 1);
-  }
+std::vector<std::string> references(const Comparison& c) {
+  std::vector<std::string> out = {
+      "Ren J, Wang X, Jin X, Manocha D (2016) Simulating flying insects using dynamics and data-driven noise modeling to generate diverse "
+      "collective behaviors. PLoS ONE 11(5): e0155698. doi:10.1371/journal.pone.0155698 (metrics, energy, score, calibration loop)",
+      "Zou ZH, Yun Y, Sun JN (2006) Entropy method for determination of weight of evaluating indicators in fuzzy synthetic evaluation for "
+      "water quality assessment. J Environ Sci 18(5): 1020–1023. doi:10.1016/S1001-0742(06)60032-6 (entropy weights)",
+      "Tanabe R, Fukunaga A (2013) Success-history based parameter adaptation for differential evolution. IEEE CEC 2013: 71–78. "
+      "doi:10.1109/CEC.2013.6557555 (search)",
+      "Johnson SG (2007) The NLopt nonlinear-optimization package. github.com/stevengj/nlopt (refinement: Nelder–Mead inside bounds)",
+      "Cook JR, Stefanski LA (1994) Simulation-extrapolation estimation in parametric measurement error models. J Am Stat Assoc 89(428): "
+      "1314–1328. doi:10.1080/01621459.1994.10476871 (share of localisation error)",
+      "Fearnhead P, Prangle D (2012) Constructing summary statistics for approximate Bayesian computation: semi-automatic approximate "
+      "Bayesian computation. J R Stat Soc B 74(3): 419–474. doi:10.1111/j.1467-9868.2011.01010.x (starting points, posterior)",
+      "Gneiting T, Raftery AE (2007) Strictly proper scoring rules, prediction, and estimation. J Am Stat Assoc 102(477): 359–378. "
+      "doi:10.1198/016214506000001437 (energy score)"};
+  for (const FitResult& r : c.models)
+    if (!r.citation.empty() && std::none_of(out.begin(), out.end(), [&](const std::string& old) { return old.starts_with(r.citation); }))
+      out.push_back(fmt::format("{} ({})", r.citation, r.model));
   return out;
 }
 
 }  // namespace
 
-std::string methods_markdown(std::string_view page) {
-  const Language markdown{markdown_text, "<sub>", "</sub>"};
-  const std::string_view section = section_of(page);
+Methods methods(const Comparison& c) { return {{what_was_done(c), how_it_is_measured(c)}, references(c)}; }
+
+std::string methods_markdown(const Comparison& c) {
+  const Methods m = methods(c);
   std::string out;
-  for (const auto paragraph : elements(section, "p")) out += translated(paragraph, markdown) + "\n\n";
+  for (const std::string& paragraph : m.paragraphs) out += markdown_text(paragraph) + "\n\n";
   int number = 0;
-  for (const auto reference : elements(section, "li")) out += fmt::format("{}. {}\n", ++number, translated(reference, markdown));
+  for (const std::string& reference : m.references) out += fmt::format("{}. {}\n", ++number, markdown_text(reference));
   return out;
 }
 
-std::string methods_latex(std::string_view page) {
-  const Language latex{latex_text, "\\textsubscript{", "}"};
-  const std::string_view section = section_of(page);
-  std::string out, references;
-  for (const auto paragraph : elements(section, "p")) out += translated(paragraph, latex) + "\n\n";
-  for (const auto reference : elements(section, "li")) references += "  \\item " + translated(reference, latex) + '\n';
-  return references.empty() ? out : out + "\\begin{enumerate}\n" + references + "\\end{enumerate}\n";
+std::string methods_latex(const Comparison& c) {
+  const Methods m = methods(c);
+  std::string out;
+  for (const std::string& paragraph : m.paragraphs) out += latex_text(paragraph) + "\n\n";
+  out += "\\begin{enumerate}\n";
+  for (const std::string& reference : m.references) out += "  \\item " + latex_text(reference) + '\n';
+  return out + "\\end{enumerate}\n";
 }
 
 }  // namespace swarmfit

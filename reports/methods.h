@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The methods of a run as text to paste: the section of its report, in another language.
+// The methods of a run as text to paste into a paper.
 #pragma once
 
 #include <string>
-#include <string_view>
+#include <vector>
+
+#include "fit/results.h"
 
 namespace swarmfit {
 
-// `page` is what report_html returns. Paragraphs, then the numbered references; empty if the page has no section of methods.
-std::string methods_markdown(std::string_view page);
-std::string methods_latex(std::string_view page);
+// Plain text of any origin; numbers in brackets refer to the references, from 1.
+struct Methods {
+  std::vector<std::string> paragraphs, references;
+};
+Methods methods(const Comparison&);
+
+std::string methods_markdown(const Comparison&);
+std::string methods_latex(const Comparison&);
 
 }  // namespace swarmfit

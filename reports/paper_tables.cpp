@@ -98,8 +98,9 @@ PaperTable scales(const Comparison& c) {
 
 PaperTable energies(const Comparison& c, const Columns& columns) {
   PaperTable t{"energies" + columns.suffix,
-               "Raw energies (" + what_energy_means(c) + "), ± one standard error, the p1 and p2 that normalise them, and their weights in the score. " +
-                   columns.title + origin(c),
+               "Raw energies (" + what_energy_means(c) +
+                   "), ± one standard error, the p1 and p2 that normalise them, and their weights in the score. " + columns.title +
+                   origin(c),
                metric_head(c, columns, {"model"}),
                {}};
   for (const FitResult& r : c.models)

@@ -110,10 +110,9 @@ void write_run(const std::string& dir, const Comparison& c) {
   write(drawn / "captions.md", captions_markdown(all));
   write(drawn / "captions.tex", captions_latex(all));
   write(root / "history.csv", history_csv(c));
-  const std::string page = report_html(c);
-  write(root / "report.html", page);
-  write(root / "methods.md", methods_markdown(page));
-  write(root / "methods.tex", methods_latex(page));
+  write(root / "report.html", report_html(c));
+  write(root / "methods.md", methods_markdown(c));
+  write(root / "methods.tex", methods_latex(c));
   write(root / "results.json", to_json(c));
 }
 

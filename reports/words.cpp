@@ -13,17 +13,22 @@ namespace swarmfit {
 
 namespace {
 
-// The winner's largest raw energy among the metrics that count.
+// Of the metrics that count, the one in which the winner is farthest from the recording: beyond what its own recordings have, if that is
+// known.
 std::string main_misfit(const Comparison& c, const FitResult& winner) {
+  const Energies& own = winner.certainty.own;
+  const auto excess = [&](std::size_t m) { return winner.raw_energies[m] - (m < own.size() && std::isfinite(own[m]) ? own[m] : 0); };
   const std::size_t none = c.columns.size();
   std::size_t worst = none;
-  for (std::size_t m = 0; m < none; ++m) {
-    if (!counts(c, m) || !std::isfinite(winner.raw_energies[m])) continue;
-    if (worst == none || winner.raw_energies[m] > winner.raw_energies[worst]) worst = m;
-  }
+  for (std::size_t m = 0; m < none; ++m)
+    if (counts(c, m) && std::isfinite(winner.raw_energies[m]) && (worst == none || excess(m) > excess(worst))) worst = m;
   if (worst == none) return {};
-  return fmt::format("Its largest misfit is in the {} (energy {} of at most {}).", c.columns[worst].name(),
-                     fixed(winner.raw_energies[worst], 2), brief(worst_energy(c.binning)));
+  const std::string energy = fixed(winner.raw_energies[worst], 2);
+  if (worst < own.size() && std::isfinite(own[worst]))
+    return fmt::format("Its largest misfit is in the {} (energy {}, its own recordings {}).", c.columns[worst].name(), energy,
+                       fixed(own[worst], 2));
+  return fmt::format("Its largest misfit is in the {} (energy {} of at most {}).", c.columns[worst].name(), energy,
+                     brief(worst_energy(c.binning)));
 }
 
 // "p = 0.31", "p ≤ 0.01" where no recording of the law lies beyond.
@@ -263,6 +268,13 @@ std::string printable(std::string_view text) {
     }
   }
   return out;
+}
+
+std::string sigma_text(const Comparison& c) {
+  std::string out;
+  for (int axis = 0; axis < c.data.dims; ++axis)
+    out += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], brief(c.observation.sigma[axis], 3));
+  return out + ' ' + c.data.unit;
 }
 
 std::string what_energy_means(const Comparison& c) {

@@ -81,6 +81,9 @@ std::string enumerate(const std::vector<std::string>& items);
 // Text of unknown origin with control characters (terminal escapes, line breaks) replaced by "?".
 std::string printable(std::string_view text);
 
+// Localisation error per axis, with the unit.
+std::string sigma_text(const Comparison&);
+
 // What a raw energy is, and between which numbers it lies.
 std::string what_energy_means(const Comparison&);
 

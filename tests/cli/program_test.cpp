@@ -230,6 +230,18 @@ TEST_F(Program, AnInterruptedRunGoesOn) {
   expect_refused("resume nowhere", "holds no run");
 }
 
+TEST_F(Program, ARunStopsWhenItsTimeIsUpAndGoesOn) {
+  const std::string job = "compare demo -m brownian,langevin --budget quick --frames 0:60 -q ";
+  ASSERT_EQ(run(job + "--out whole").code, 0);
+  const Result stopped = run(job + "--max-time 0.001 --out timed");
+  EXPECT_EQ(stopped.code, 130);
+  EXPECT_THAT(stopped.err, HasSubstr("to go on: swarmfit resume timed"));
+  EXPECT_EQ(run("resume timed --max-time 1ms").code, 2);
+  EXPECT_EQ(run("resume timed --max-time 0.001").code, 130);
+  ASSERT_EQ(run("resume timed --max-time 1h -q").code, 0);
+  EXPECT_EQ(content(dir_ / "whole/results.json"), content(dir_ / "timed/results.json"));
+}
+
 TEST_F(Program, ARefusedRunLeavesAnEarlierOneAlone) {
   const std::string job = std::string("compare demo -m brownian,langevin --frames 0:60 --out a ") + kQuick;
   ASSERT_EQ(run(job).code, 0);

@@ -70,8 +70,8 @@ double mean_score(double truth, double model, bool pooled) {
   return sum / kRecordings;
 }
 
-// Recordings differ among themselves by more than their samples do, as those of a swarm in a slow noise field. Pooled, a law that has none of
-// that looks as good as the truth; the score knows better, and is least at the truth among all.
+// Recordings differ among themselves by more than their samples do, as those of a swarm in a slow noise field. Pooled, a law that has none
+// of that looks as good as the truth; the score knows better, and is least at the truth among all.
 TEST(EnergyScore, IsLeastForTheLawThatMadeTheRecordings) {
   const double truth = mean_score(0.3, 0.3, false);
   for (const double model : {0.0, 0.1, 0.2, 0.4}) EXPECT_LT(truth + 0.002, mean_score(0.3, model, false)) << model;

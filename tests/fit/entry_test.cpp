@@ -37,9 +37,8 @@ double mean_square_z(const std::vector<Presence::Visit>& visits, double truth) {
 }
 
 TEST(Entry, AParabolaIsFollowedExactly) {
-  const auto visits = recorded_visits(filmed(3, 8, [](double t, std::uint32_t k) {
-    return Array3d(k + 3 * t - 40 * t * t, 7 * k * t, 5 * t * t);
-  }));
+  const auto visits =
+      recorded_visits(filmed(3, 8, [](double t, std::uint32_t k) { return Array3d(k + 3 * t - 40 * t * t, 7 * k * t, 5 * t * t); }));
   ASSERT_EQ(visits.size(), 3u);
   for (const auto& v : visits) {
     EXPECT_NEAR(v.vel[0], 3, 1e-10);

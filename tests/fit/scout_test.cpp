@@ -26,7 +26,8 @@ struct Scene {
     options.step_scales = kScales;
     conditions = make_conditions(recording, options);
   }
-  std::vector<Point> points(const ScoutSize& size, const OnScout& on_scout = [](std::int64_t) { return true; }) const {
+  std::vector<Point> points(
+      const ScoutSize& size, const OnScout& on_scout = [](std::int64_t) { return true; }) const {
     const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
     const Objective objective(model, conditions, target);
     return scout(SearchSpace(model, conditions.scales, {}), objective, conditions, target, {1}, size, on_scout);

@@ -150,8 +150,8 @@ TEST(Stimuli, NearestInRangeAndTheRepellingOneWinsTies) {
   EXPECT_LT((s.nearest({0, 2, 0}, {}, 5).from - Array3d(0, -1, 0)).abs().maxCoeff(), 1e-15);
 }
 
-// 400 agents enter at speed 2 +- 0.5 along x alone: the draws have that mean and scatter (99 %: 0.5 * 2.58/sqrt(400), and /sqrt(800)), every run
-// its own, and a run the same again.
+// 400 agents enter at speed 2 +- 0.5 along x alone: the draws have that mean and scatter (99 %: 0.5 * 2.58/sqrt(400), and /sqrt(800)),
+// every run its own, and a run the same again.
 TEST(Presence, EveryRunDrawsTheErrorOfEntryVelocities) {
   std::vector<Presence::Visit> visits;
   for (std::uint32_t k = 0; k < 400; ++k) visits.push_back({k, 0, -3, 9, Array3d::Zero(), {2, 1, 0}, {0.5, 0, 0}});
