@@ -11,6 +11,8 @@
 namespace swarmfit {
 namespace {
 
+constexpr std::size_t kLeastBand = 39;
+
 // A law that recordings are measured against. Each is compared with the `pooled` runs after its own number, so that it is never compared
 // with itself.
 class Against {
@@ -144,6 +146,24 @@ ScoreDraws score_draws(const std::vector<FitResult>& models, const Laws& laws, c
       if (recordings[k].failed) continue;
       const double missed = laws.scatter[model] * laws.root.normal2(Stream::law, k, static_cast<std::uint32_t>(m))[0];
       out.draws(b, m) = missed - cost_of(law(recordings[k], k), weighting);
+    }
+  }
+  return out;
+}
+
+Band band_of(const Law& law, const Target& target) {
+  const std::size_t columns = target.columns().size();
+  Band out{PerColumn<std::vector<double>>(columns), PerColumn<std::vector<double>>(columns)};
+  for (std::size_t j = 0; j < columns; ++j) {
+    std::vector<const Histogram*> seen;
+    for (const SingleRun& run : law)
+      if (!run.failed && run.distributions[j].histogram.samples > 0) seen.push_back(&run.distributions[j].histogram);
+    if (seen.size() < kLeastBand) continue;
+    for (std::size_t bin = 0; bin < seen.front()->counts.size(); ++bin) {
+      std::vector<double> shares;
+      for (const Histogram* h : seen) shares.push_back(static_cast<double>(h->counts[bin]) / static_cast<double>(h->samples));
+      out.lower[j].push_back(quantile(shares, kAlpha / 2));
+      out.upper[j].push_back(quantile(std::move(shares), 1 - kAlpha / 2));
     }
   }
   return out;

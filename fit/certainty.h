@@ -33,6 +33,9 @@ struct Laws {
 ScoreDraws score_draws(const std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting,
                        int pooled);
 
+// Where single recordings of a law lie, bin by bin; empty with fewer than 39, of which the outermost would be the ends.
+Band band_of(const Law& law, const Target& target);
+
 // Fills FitResult::certainty of models that are ranked. With fewer than `pooled` + 2 recordings per law, everything stays undefined.
 //
 // - goodness_p: of the recordings of its own law, the share that is as far from the model as the real one is, in the weighted energy; at

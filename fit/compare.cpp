@@ -183,6 +183,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   laws.scatter = search_scatter(selections, calibration.weighting());
   rank(result.models, laws);
   result.laws = options.laws;
+  result.band = band_of(laws.of.front(), target);
   fill_certainty(result.models, laws, target, calibration.weighting(), options.budget.final_replicates);
   if (options.hold_out) fill_held_out(result, parts, options, conditions.metrics.lags, calibration.weighting());
   judge.tell(result);

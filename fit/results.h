@@ -230,6 +230,11 @@ struct WeightStep {
   double largest_change;              // max |w - w before|
 };
 
+// Between which bounds 95 % of the recordings made by one model lie, each bin by itself: shares of the samples. Empty: not known.
+struct Band {
+  PerColumn<std::vector<double>> lower{}, upper{};
+};
+
 struct Comparison {
   std::string command;  // "compare" or "fit"
   std::string version;
@@ -257,6 +262,7 @@ struct Comparison {
   SkillFacts skill;
   HoldOutFacts hold_out;
   int laws = 0;                  // recordings made by each fitted model, behind FitResult::certainty; 0: none
+  Band band;                     // of the first model
   std::vector<LeftOut> without;  // per model by rank; empty for fewer than three
   PanelFacts panel;
   Tracks film;                                              // the first frames of the recording, as compared (fit/film.h)

@@ -29,6 +29,7 @@ Json metric_data(const Comparison& c, std::size_t m) {
   const Column& column = c.columns[m];
   Json models = Json::array();
   for (const FitResult& r : c.models) models.push_back(short_numbers(physical_density(r.distributions[m].histogram, c.axis_width[m])));
+  const auto [lower, upper] = physical_band(c, m);
   return {{"key", column.key()},
           {"symbol", column.symbol()},
           {"name", column.name()},
@@ -38,6 +39,7 @@ Json metric_data(const Comparison& c, std::size_t m) {
           {"lower", c.axis_lower[m]},
           {"width", c.axis_width[m]},
           {"recording", short_numbers(physical_density(c.recording[m].histogram, c.axis_width[m]))},
+          {"band", {short_numbers(lower), short_numbers(upper)}},
           {"models", std::move(models)}};
 }
 

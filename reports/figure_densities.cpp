@@ -24,6 +24,7 @@ constexpr double kMuch = 0.05;                         // share of samples beyon
 // One column, ready to be drawn.
 struct Density {
   std::size_t column = 0;
+  Curve lower, upper;         // of the first model's band
   std::vector<Curve> curves;  // the recording's, then the models'; without points where there are no samples
   double left = 0, right = 1, top = 1;
   std::vector<std::string> absent, cut, beyond;  // models
@@ -44,8 +45,7 @@ std::pair<std::size_t, std::size_t> inner_bins(const Comparison& c, std::size_t 
   return c.binning.clip && bins > 2 ? std::pair(std::size_t{1}, bins - 1) : std::pair(std::size_t{0}, bins);
 }
 
-Curve curve_of(const Comparison& c, std::size_t m, const Histogram& histogram) {
-  const std::vector<double> q = physical_density(histogram, c.axis_width[m]);
+Curve curve_of(const Comparison& c, std::size_t m, const std::vector<double>& q) {
   const auto [first, last] = inner_bins(c, q.size());
   Curve out;
   for (std::size_t bin = first; bin < last && bin < q.size(); ++bin)
@@ -88,11 +88,18 @@ void set_frame(const Comparison& c, Density& d) {
   if (!(d.top > 0)) d.top = 1;
 }
 
+Curve curve_of(const Comparison& c, std::size_t m, const Histogram& histogram) {
+  return curve_of(c, m, physical_density(histogram, c.axis_width[m]));
+}
+
 Density density_at(const Comparison& c, std::size_t m) {
   Density d;
   d.column = m;
   d.curves.push_back(curve_of(c, m, c.recording[m].histogram));
   if (!d.drawn()) return d;
+  const auto [lower, upper] = physical_band(c, m);
+  d.lower = curve_of(c, m, lower);
+  d.upper = curve_of(c, m, upper);
   for (std::size_t k = 0; k < drawn_models(c); ++k) {
     const FitResult& r = c.models[k];
     d.curves.push_back(curve_of(c, m, r.distributions[m].histogram));
@@ -116,6 +123,7 @@ Curve within(const Density& d, const Curve& curve, double bin) {
 void draw_curves(plot::Panel& panel, const Comparison& c, const Density& d) {
   const double bin = c.axis_width[d.column];
   panel.area(within(d, d.curves.front(), bin));
+  panel.band(within(d, d.lower, bin), within(d, d.upper, bin), 0);
   for (std::size_t k = d.curves.size() - 1; k > 0; --k)
     panel.curve(within(d, d.curves[k], bin), k - 1, k == 1 ? 1.1 : 0.9);  // the winner last, on top
 }
@@ -154,6 +162,11 @@ std::string limits(const Comparison& c, const std::vector<Density>& all) {
 std::string about_binning(const Comparison& c) {
   if (c.binning.normalisation != Normalisation::separate) return {};
   return " Every set was standardised by its own mean and standard deviation; the models are drawn with the recording's.";
+}
+
+std::string about_band(const Comparison& c, const std::vector<Density>& all) {
+  if (std::all_of(all.begin(), all.end(), [](const Density& d) { return d.lower.empty(); })) return {};
+  return fmt::format(" Shaded: where 95 % of single recordings made by {} lie, bin by bin.", c.models.front().model);
 }
 
 std::vector<plot::Entry> entries(const Comparison& c) {
@@ -217,7 +230,7 @@ Figure densities(const Comparison& c) {
   if (!any) return {"densities", "", ""};
   const std::string caption =
       fmt::format("Probability densities of the metrics of motion: the recording (grey) and the model{}, best first.{}{}",
-                  c.models.size() == 1 ? "" : "s", about_binning(c), absent + limits(c, all));
+                  c.models.size() == 1 ? "" : "s", about_binning(c), about_band(c, all) + absent + limits(c, all));
   const double legend_left = left + across * static_cast<double>(place % kAcross) + kLeft;
   const std::size_t last_row = place / kAcross;
   draw_legend(sheet, legend_left, static_cast<double>(last_row) * down, entries(c));
@@ -244,7 +257,7 @@ Figure density_of(const Comparison& c, std::size_t m) {
   double height = box.bottom() + 24;
   if (!absent.empty()) height = sheet.note(height + 8, std::string_view(absent).substr(1)) - 4;
   const std::string caption = fmt::format("Probability density of the {}: the recording (grey) and the model{}, best first.{}{}",
-                                          column.name(), c.models.size() == 1 ? "" : "s", about_binning(c), absent + limits(c, {d}));
+                                          column.name(), c.models.size() == 1 ? "" : "s", about_binning(c), about_band(c, {d}) + absent + limits(c, {d}));
   return {name, caption, sheet.document(height, "Density of the " + column.name(), caption)};
 }
 

@@ -40,6 +40,7 @@ PageValues page_values(const Comparison& c) {
           {"motion", sections::motion(c).text},
           {"legend", sections::legend(c).text},
           {"pdf_figures", sections::pdf_figures(c).text},
+          {"band_note", sections::band_note(c).text},
           {"pdf_note", sections::pdf_note(c).text},
           {"moments", sections::moments(c).text},
           {"weights_converged", sections::weights_converged(c).text},

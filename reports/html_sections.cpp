@@ -159,6 +159,12 @@ Html pdf_figures(const Comparison& c) {
   return out;
 }
 
+Html band_note(const Comparison& c) {
+  if (c.models.empty() || std::all_of(c.band.lower.begin(), c.band.lower.end(), [](const auto& bins) { return bins.empty(); })) return {};
+  return escaped(fmt::format(" Shaded band: where 95 % of single recordings made by {} lie, bin by bin; grey within it is no misfit.",
+                             c.models.front().model));
+}
+
 Html pdf_note(const Comparison& c) {
   switch (c.binning.normalisation) {
     case Normalisation::reference:

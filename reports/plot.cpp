@@ -98,6 +98,15 @@ void Panel::area(const Curve& curve) {
   sheet_.path(outline(closed) + 'z', {kRecordingLine, 0.4, ""}, kRecordingFill, clip());
 }
 
+void Panel::band(const Curve& lower, const Curve& upper, std::size_t series) {
+  Curve closed;
+  for (const Point& p : upper)
+    if (finite(place(p))) closed.push_back(p);
+  for (auto p = lower.rbegin(); p != lower.rend(); ++p)
+    if (finite(place(*p))) closed.push_back(*p);
+  if (!closed.empty()) sheet_.path(outline(closed) + 'z', {"none", 0, ""}, fmt::format("{}33", look(series).colour), clip());
+}
+
 void Panel::curve(const Curve& curve, const Stroke& stroke) { sheet_.path(outline(curve), stroke, "none", clip()); }
 
 void Panel::curve(const Curve& points, std::size_t series, double width) {

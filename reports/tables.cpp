@@ -208,10 +208,13 @@ std::string pdfs(const Comparison& c) {
   Csv csv;
   csv.fields({"metric", "unit", "centre", "recording"});
   for (const FitResult& r : c.models) csv.field(r.model);
-  csv.end();
+  csv.fields({"band_lower", "band_upper"}).end();
   for (std::size_t m = 0; m < c.columns.size(); ++m) {
     std::vector<std::vector<double>> columns = {physical_density(c.recording[m].histogram, c.axis_width[m])};
     for (const FitResult& r : c.models) columns.push_back(physical_density(r.distributions[m].histogram, c.axis_width[m]));
+    auto [lower, upper] = physical_band(c, m);
+    columns.push_back(std::move(lower));
+    columns.push_back(std::move(upper));
     for (std::size_t bin = 0; bin < c.recording[m].histogram.counts.size(); ++bin) {
       const double centre = c.axis_lower[m] + (static_cast<double>(bin) + 0.5) * c.axis_width[m];
       csv.field(c.columns[m].key()).field(metric_unit(c.columns[m].metric, c.data.unit)).field(centre);
@@ -253,6 +256,15 @@ std::string csv_field(std::string_view text) {
 std::vector<double> physical_density(const Histogram& histogram, double width) {
   const double upper = width * static_cast<double>(histogram.counts.size());
   return density(histogram, 0, upper);
+}
+
+std::pair<std::vector<double>, std::vector<double>> physical_band(const Comparison& c, std::size_t column) {
+  if (column >= c.band.lower.size()) return {};
+  const auto per_unit = [&](std::vector<double> shares) {
+    for (double& share : shares) share /= c.axis_width[column];
+    return shares;
+  };
+  return {per_unit(c.band.lower[column]), per_unit(c.band.upper[column])};
 }
 
 std::vector<NamedTable> result_tables(const Comparison& c) {

@@ -39,4 +39,7 @@ std::string csv_field(std::string_view text);
 // Density of a histogram per physical unit: counts / (samples × width); empty without samples.
 std::vector<double> physical_density(const Histogram&, double width);
 
+// Lower and upper bounds of Comparison::band in one column, as such densities; empty where there is none.
+std::pair<std::vector<double>, std::vector<double>> physical_band(const Comparison&, std::size_t column);
+
 }  // namespace swarmfit

@@ -118,9 +118,15 @@
       backgroundColor: css("--recording-fill"), fill: "start", pointRadius: 0, order: 100,
     };
     const models = metric.models.map((curve, k) => ({ ...modelLine(k, points(metric, curve, bins, logarithmic)), order: k }));
+    // Where recordings made by the first model lie; after the models, whose places the legend counts.
+    const edge = { label: "band", borderWidth: 0, pointRadius: 0, pointHitRadius: 0, order: 50 };
+    const band = metric.band[0].length === 0 ? [] : [
+      { ...edge, data: points(metric, metric.band[0], bins, logarithmic) },
+      { ...edge, data: points(metric, metric.band[1], bins, logarithmic), fill: "-1", backgroundColor: css("--band") },
+    ];
     return {
       type: "line",
-      data: { datasets: [recording, ...models] },
+      data: { datasets: [recording, ...models, ...band] },
       options: {
         parsing: false,
         scales: {
@@ -130,6 +136,7 @@
         },
         plugins: {
           tooltip: {
+            filter: (item) => item.dataset.label !== "band",
             callbacks: {
               title: (items) => (items.length > 0 ? `${metric.symbol} = ${text(items[0].parsed.x)} ${metric.unit}` : ""),
               label: (item) => `${item.dataset.label}: ${text(item.parsed.y)}`,
