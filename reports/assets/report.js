@@ -110,6 +110,12 @@
     return out;
   }
 
+  // Narrow peaks would flatten all others: they are cut at twice the recording's.
+  function highest(metric) {
+    const peak = Math.max(...metric.recording);
+    return Math.max(...metric.models.flat(), 0) > 2 * peak && peak > 0 ? 2 * peak : undefined;
+  }
+
   function density(metric) {
     const logarithmic = document.getElementById("log").checked;
     const bins = visibleBins(metric);
@@ -132,7 +138,7 @@
         scales: {
           x: axis(`${metric.name} ${metric.symbol} [${metric.unit}]`, {
             type: "linear", min: metric.lower + bins[0] * metric.width, max: metric.lower + (bins[1] + 1) * metric.width, ticks: tick }),
-          y: axis(`density [${metric.density_unit}]`, { type: logarithmic ? "logarithmic" : "linear", ...(logarithmic ? {} : { min: 0 }), ticks: tick }),
+          y: axis(`density [${metric.density_unit}]`, { type: logarithmic ? "logarithmic" : "linear", ...(logarithmic ? {} : { min: 0, max: highest(metric) }), ticks: tick }),
         },
         plugins: {
           tooltip: {
