@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/results.h"
+#include "libeval/evaluation.h"
 
 namespace swarmfit {
 
@@ -14,6 +15,7 @@ struct Methods {
   std::vector<std::string> paragraphs, references;
 };
 Methods methods(const Comparison&);
+Methods methods(const Evaluation&, const std::string& version);  // of the program
 
 std::string methods_markdown(const Comparison&);
 std::string methods_latex(const Comparison&);
