@@ -110,7 +110,6 @@ PageValues parts(const Evaluation& e, const PairPortrait& p, const std::string& 
           {"detail", html_escaped(energy_words(e))},
           {"facts", files(c.data, p.simulation).text},
           {"energies", energies(e).text},
-          {"energy", html_escaped(energy_words(e))},
           {"lags", html_escaped(lag_words(e))},
           {"motion", sections::motion(c).text},
           {"legend", sections::legend(c).text},

@@ -16,7 +16,7 @@ TextRows order_rows(const Evaluation&);
 std::string energy_words(const Evaluation&);  // between which numbers an energy lies
 std::string lag_words(const Evaluation&);     // over which times motion is measured
 
-// In which metric the two are nearest, and in which farthest.
+// In which metric the two are most alike, and in which least.
 std::string evaluation_sentence(const Evaluation&);
 
 }  // namespace swarmfit

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/axis.h"
 #include "reports/number.h"
@@ -11,14 +12,33 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kLeft = 58, kTop = 8, kWidth = 312, kHeight = 212, kRight = kLeft + kWidth, kBottom = kTop + kHeight;
+// In points, as plot's labels are; the page stretches the drawing.
+constexpr double kLeft = 34, kTop = 15, kWidth = 162, kHeight = 108, kRight = kLeft + kWidth, kBottom = kTop + kHeight;
+constexpr double kTick = 2.5;
 
-// Both axes of a drawing in physical units.
+// Both axes of a drawing in physical units, scaled as the search's axis is: linear, logarithmic, or by square roots.
 struct Frame {
   plot::Axis truth, found;
-  double x(double value) const { return kLeft + kWidth * std::clamp(truth.place(value), 0.0, 1.0); }
-  double y(double value) const { return kBottom - kHeight * std::clamp(found.place(value), 0.0, 1.0); }
+  bool root = false;
+  double place(const plot::Axis& axis, double value) const {
+    if (!root) return axis.place(value);
+    const double lower = std::sqrt(std::max(axis.lower, 0.0));
+    return (std::sqrt(std::max(value, 0.0)) - lower) / (std::sqrt(axis.upper) - lower);
+  }
+  double x(double value) const { return kLeft + kWidth * std::clamp(place(truth, value), 0.0, 1.0); }
+  double y(double value) const { return kBottom - kHeight * std::clamp(place(found, value), 0.0, 1.0); }
 };
+
+// A little wider than what is drawn, so that nothing lies on the frame; not below zero where there are square roots.
+plot::Axis axis_of(const plot::Range& range, const Frame& f, bool logarithmic, double room) {
+  constexpr double kMargin = 0.05;
+  if (logarithmic) {
+    const double more = std::pow(range.upper / range.lower, kMargin);
+    return plot::logarithmic(range.lower / more, range.upper * more);
+  }
+  const double more = kMargin * (range.upper - range.lower), lower = range.lower - more;
+  return plot::linear(f.root ? std::max(lower, 0.0) : lower, range.upper + more, {4, room, true});
+}
 
 Frame frame_of(const ParameterRecovery& r, std::size_t k, const Parameter& row) {
   plot::Range truth, found;
@@ -26,12 +46,16 @@ Frame frame_of(const ParameterRecovery& r, std::size_t k, const Parameter& row) 
     truth.include(c.truth[k]);
     for (const double value : {c.truth[k], c.found[k].lower, c.found[k].median, c.found[k].upper}) found.include(value);
   }
-  if (row.log && found.lower > 0) return {plot::logarithmic(truth.lower, truth.upper), plot::logarithmic(found.lower, found.upper)};
-  return {plot::linear(truth.lower, truth.upper, {4, 0, false}), plot::linear(found.lower, found.upper, {4, 0, false})};
+  const bool logarithmic = row.log && found.lower > 0;
+  Frame f;
+  f.root = !row.log && row.fit.lower == 0 && found.lower >= 0;
+  f.truth = axis_of(truth, f, logarithmic, kWidth);
+  f.found = axis_of(found, f, logarithmic, 0);
+  return f;
 }
 
 std::string line(const char* look, double x1, double y1, double x2, double y2) {
-  return fmt::format("<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>", look, x1, y1, x2, y2);
+  return fmt::format("<line class=\"{}\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>", look, x1, y1, x2, y2);
 }
 
 std::string label(const plot::Tick& tick) { return tick.label.markup; }  // of svg::Text, which is safe markup
@@ -39,13 +63,14 @@ std::string label(const plot::Tick& tick) { return tick.label.markup; }  // of s
 std::string axes(const Frame& f, const std::string& unit) {
   std::string out = line("frame", kLeft, kBottom, kRight, kBottom) + line("frame", kLeft, kTop, kLeft, kBottom);
   for (const plot::Tick& t : f.truth.ticks)
-    out += line("frame", f.x(t.value), kBottom, f.x(t.value), kBottom + 4) +
-           fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", f.x(t.value), kBottom + 17, label(t));
+    out += line("frame", f.x(t.value), kBottom, f.x(t.value), kBottom + kTick) +
+           fmt::format("<text x=\"{:.2f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", f.x(t.value), kBottom + 10.5, label(t));
   for (const plot::Tick& t : f.found.ticks)
-    out += line("frame", kLeft - 4, f.y(t.value), kLeft, f.y(t.value)) +
-           fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", kLeft - 7, f.y(t.value) + 4, label(t));
-  return out + fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">true value{}</text>", kLeft + kWidth / 2, kBottom + 34,
-                           unit.empty() ? "" : html_escaped(" [" + unit_in_print(unit) + ']'));
+    out += line("frame", kLeft - kTick, f.y(t.value), kLeft, f.y(t.value)) +
+           fmt::format("<text x=\"{}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>", kLeft - 4.5, f.y(t.value) + 2.5, label(t));
+  out += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">true value{}</text>", kLeft + kWidth / 2, kBottom + 20.5,
+                     plot::in_units(f.truth, unit).markup);
+  return out + fmt::format("<text x=\"{}\" y=\"{}\">found{}</text>", 2, kTop - 7, plot::in_units(f.found, unit).markup);
 }
 
 // Where found and true value are equal, as far as both axes go; straight, since both have the same scale.
@@ -62,8 +87,8 @@ std::string interval(const Frame& f, const ParameterCase& c, std::size_t k) {
       fmt::format("<g class=\"{}\"><title>seed {}: true value {}, median {}, 95 % from {} to {}</title>", holds ? "holds" : "misses",
                   c.seed, rounded(c.truth[k]), rounded(p.median), rounded(p.lower), rounded(p.upper));
   out += line("reach", x, f.y(p.lower), x, f.y(p.upper));
-  out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.4\"/>", x, f.y(p.median));
-  if (!holds) out += line("cross", x - 4, y - 4, x + 4, y + 4) + line("cross", x - 4, y + 4, x + 4, y - 4);
+  out += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"1.5\"/>", x, f.y(p.median));
+  if (!holds) out += line("cross", x - 2.5, y - 2.5, x + 2.5, y + 2.5) + line("cross", x - 2.5, y + 2.5, x + 2.5, y - 2.5);
   return out + "</g>\n";
 }
 
@@ -77,8 +102,8 @@ Html intervals_drawing(const ParameterRecovery& r, std::size_t k, const std::str
   std::string out = fmt::format(
       "<svg class=\"recovered\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"95 % intervals of {} against its true value: {} of {} hold "
       "it\">",
-      kRight + 10, kBottom + 40, html_escaped(p.name), p.covered, p.recordings);
-  out += axes(f, to_string(row.unit, length_unit)) + diagonal(f);
+      kRight + 8, kBottom + 24, html_escaped(p.name), p.covered, p.recordings);
+  out += axes(f, unit_in_print(to_string(row.unit, length_unit))) + diagonal(f);
   for (const ParameterCase& c : r.cases) out += interval(f, c, k);
   return {out + "</svg>"};
 }

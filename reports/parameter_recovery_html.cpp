@@ -65,7 +65,8 @@ Html drawings(const ParameterRecovery& r, const std::string& unit) {
   Html out = element("div", "grid", figures);
   out += element("p", "note",
                  markup("A line per recording: the 95 % interval, and the median as a dot, above the true value; on the slanted line both "
-                        "are equal. Dashed and crossed: intervals that miss the truth. Rest the pointer on one for its numbers."));
+                        "are equal. Dashed and crossed: intervals that miss the truth. Axes are those of the search: some logarithmic, "
+                        "some by square roots. Rest the pointer on one for its numbers."));
   return out;
 }
 

@@ -96,18 +96,29 @@ Planted planted_range(const Recovery& r, std::size_t planted, std::size_t row) {
   return out;
 }
 
+// Were the parameters drawn anew for every recording?
+bool drawn_anew(const Recovery& r, std::size_t p) {
+  for (std::size_t k = 0; k < r.parameters[p].size(); ++k)
+    if (const Planted range = planted_range(r, p, k); range.least < range.greatest) return true;
+  return false;
+}
+
 Html parameter_table(const Recovery& r, std::size_t p, const std::string& unit) {
   const ModelChoice model = parse_model(r.planted[p]);
+  const bool ranges = drawn_anew(r, p);
   HtmlTable table(fmt::format("Planted parameters of {}", r.planted[p]));
-  table.head({column("parameter"), column("symbol"), column("planted about", true), column("least", true), column("greatest", true),
-              column("unit"), column("meaning")});
+  Cells head{column("parameter"), column("symbol"), column(ranges ? "planted about" : "planted", true)};
+  if (ranges) head.insert(head.end(), {column("least", true), column("greatest", true)});
+  head.insert(head.end(), {column("unit"), column("meaning")});
+  table.head(head);
   for (std::size_t k = 0; k < r.parameters[p].size(); ++k) {
     if (!model.spec->uses(k, model.options)) continue;
     const Parameter& row = model.spec->parameters[k];
     const Planted range = planted_range(r, p, k);
-    table.row({name_cell(escaped(row.name)), text_cell(row.symbol), number_cell(rounded(r.parameters[p][k], 4)),
-               number_cell(rounded(range.least, 4)), number_cell(rounded(range.greatest, 4)),
-               text_cell(unit_in_print(to_string(row.unit, unit))), text_cell(row.meaning)});
+    Cells cells{name_cell(escaped(row.name)), text_cell(row.symbol), number_cell(rounded(r.parameters[p][k], 4))};
+    if (ranges) cells.insert(cells.end(), {number_cell(rounded(range.least, 4)), number_cell(rounded(range.greatest, 4))});
+    cells.insert(cells.end(), {text_cell(unit_in_print(to_string(row.unit, unit))), text_cell(row.meaning)});
+    table.row(cells);
   }
   return table.html();
 }
@@ -147,7 +158,7 @@ Html how_matrices_read() {
   return element(
       "p", "note",
       markup("Framed: the model that made the recordings. <span class=\"swatch right q4\"></span> blue where large counts are right, "
-             "<span class=\"swatch wrong q4\"></span> orange where they are wrong; the darker, the larger the share of the row's "
+             "<span class=\"swatch wrong q4\"></span> orange where they are wrong; the stronger, the larger the share of the row's "
              "recordings."));
 }
 

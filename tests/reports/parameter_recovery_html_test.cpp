@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <regex>
 
 #include "libtrack/file.h"
 #include "reports/parameter_recovery_report.h"
@@ -61,14 +62,43 @@ TEST(ParameterRecoveryPage, DrawsEveryIntervalAndMarksTheMisses) {
   EXPECT_EQ(occurrences(page(), "class=\"equal\""), 2u);
 }
 
-// On the diagonal an interval's median lies where its true value does: both axes are drawn from their own ends.
-TEST(ParameterRecoveryPage, FoundLiesAboveTheTruth) {
+std::vector<double> numbers_in(const std::string& drawn, const std::regex& element) {
+  std::smatch found;
+  std::vector<double> out;
+  if (std::regex_search(drawn, found, element))
+    for (std::size_t k = 1; k < found.size(); ++k) out.push_back(std::stod(found[k]));
+  return out;
+}
+
+// Whatever the scale of a parameter's axes: who finds the truth lies on the line where both are equal.
+TEST(ParameterRecoveryPage, AMedianThatIsTheTruthLiesOnTheLine) {
+  const std::regex equal(R"re(class="equal" x1="([^"]+)" y1="([^"]+)" x2="([^"]+)" y2="([^"]+)")re"),
+      dot(R"re(cx="([^"]+)" cy="([^"]+)")re");
+  for (const char* model : {"brownian", "bswarm"})
+    for (std::size_t row = 0; row < parse_model(model).spec->parameters.size(); ++row) {
+      ParameterRecovery r = sample();
+      r.model = model;
+      for (ParameterCase& c : r.cases) {
+        c.found[0].row = row;
+        c.found[0].median = c.truth[0];
+      }
+      const std::string drawn = intervals_drawing(r, 0, "mm").text;
+      const auto line = numbers_in(drawn, equal), at = numbers_in(drawn, dot);
+      ASSERT_EQ(line.size(), 4u);
+      ASSERT_EQ(at.size(), 2u);
+      EXPECT_NEAR(line[1] + (line[3] - line[1]) * (at[0] - line[0]) / (line[2] - line[0]), at[1], 0.05) << model << ' ' << row;
+    }
+}
+
+TEST(ParameterRecoveryPage, OneRecordingAloneIsDrawnToo) {
   ParameterRecovery r = sample();
-  for (ParameterCase& c : r.cases) c.found[0].median = c.truth[0];
-  const std::string drawn = intervals_drawing(r, 0, "mm").text;
-  EXPECT_THAT(drawn, HasSubstr("aria-label=\"95 % intervals of "));
-  EXPECT_THAT(drawn, Not(HasSubstr("nan")));
-  EXPECT_THAT(drawn, Not(HasSubstr("inf")));
+  r.cases.resize(1);
+  for (ParameterInterval& p : r.cases[0].found) p.lower = p.median = p.upper = r.cases[0].truth[p.row] = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string drawn = intervals_drawing(r, k, "mm").text;
+    EXPECT_THAT(drawn, Not(HasSubstr("nan")));
+    EXPECT_THAT(drawn, Not(HasSubstr("inf")));
+  }
 }
 
 TEST(ParameterRecoveryPage, WithoutAFitThereIsAPageStill) {
