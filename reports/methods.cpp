@@ -13,6 +13,28 @@
 namespace swarmfit {
 namespace {
 
+// In the order in which the text refers to them.
+constexpr const char* kRen2016 =
+    "Ren J, Wang X, Jin X, Manocha D (2016) Simulating flying insects using dynamics and data-driven noise modeling to generate diverse "
+    "collective behaviors. PLoS ONE 11(5): e0155698. doi:10.1371/journal.pone.0155698 (metrics, energy, score, calibration loop)";
+constexpr const char* kZou2006 =
+    "Zou ZH, Yun Y, Sun JN (2006) Entropy method for determination of weight of evaluating indicators in fuzzy synthetic evaluation for "
+    "water quality assessment. J Environ Sci 18(5): 1020–1023. doi:10.1016/S1001-0742(06)60032-6 (entropy weights)";
+constexpr const char* kTanabe2013 =
+    "Tanabe R, Fukunaga A (2013) Success-history based parameter adaptation for differential evolution. IEEE CEC 2013: 71–78. "
+    "doi:10.1109/CEC.2013.6557555 (search)";
+constexpr const char* kNlopt =
+    "Johnson SG (2007) The NLopt nonlinear-optimization package. github.com/stevengj/nlopt (refinement: Nelder–Mead inside bounds)";
+constexpr const char* kCook1994 =
+    "Cook JR, Stefanski LA (1994) Simulation-extrapolation estimation in parametric measurement error models. J Am Stat Assoc 89(428): "
+    "1314–1328. doi:10.1080/01621459.1994.10476871 (share of localisation error)";
+constexpr const char* kFearnhead2012 =
+    "Fearnhead P, Prangle D (2012) Constructing summary statistics for approximate Bayesian computation: semi-automatic approximate "
+    "Bayesian computation. J R Stat Soc B 74(3): 419–474. doi:10.1111/j.1467-9868.2011.01010.x (starting points, posterior)";
+constexpr const char* kGneiting2007 =
+    "Gneiting T, Raftery AE (2007) Strictly proper scoring rules, prediction, and estimation. J Am Stat Assoc 102(477): 359–378. "
+    "doi:10.1198/016214506000001437 (energy score)";
+
 // "5 motion metrics (v, a, ω, d, η)"
 std::string metrics_text(const Comparison& c) {
   std::string symbols;
@@ -50,10 +72,6 @@ constexpr const char* kMetricsDefined =
     "Nothing "
     "is differenced across a gap.";
 
-constexpr const char* kRen =
-    "Ren J, Wang X, Jin X, Manocha D (2016) Simulating flying insects using dynamics and data-driven noise modeling to generate diverse "
-    "collective behaviors. PLoS ONE 11(5): e0155698. doi:10.1371/journal.pone.0155698";
-
 std::string how_it_is_measured(const Comparison& c) {
   const std::string energy =
       c.binning.pooled
@@ -67,19 +85,7 @@ std::string how_it_is_measured(const Comparison& c) {
 }
 
 std::vector<std::string> references(const Comparison& c) {
-  std::vector<std::string> out = {
-      fmt::format("{} (metrics, energy, score, calibration loop)", kRen),
-      "Zou ZH, Yun Y, Sun JN (2006) Entropy method for determination of weight of evaluating indicators in fuzzy synthetic evaluation for "
-      "water quality assessment. J Environ Sci 18(5): 1020–1023. doi:10.1016/S1001-0742(06)60032-6 (entropy weights)",
-      "Tanabe R, Fukunaga A (2013) Success-history based parameter adaptation for differential evolution. IEEE CEC 2013: 71–78. "
-      "doi:10.1109/CEC.2013.6557555 (search)",
-      "Johnson SG (2007) The NLopt nonlinear-optimization package. github.com/stevengj/nlopt (refinement: Nelder–Mead inside bounds)",
-      "Cook JR, Stefanski LA (1994) Simulation-extrapolation estimation in parametric measurement error models. J Am Stat Assoc 89(428): "
-      "1314–1328. doi:10.1080/01621459.1994.10476871 (share of localisation error)",
-      "Fearnhead P, Prangle D (2012) Constructing summary statistics for approximate Bayesian computation: semi-automatic approximate "
-      "Bayesian computation. J R Stat Soc B 74(3): 419–474. doi:10.1111/j.1467-9868.2011.01010.x (starting points, posterior)",
-      "Gneiting T, Raftery AE (2007) Strictly proper scoring rules, prediction, and estimation. J Am Stat Assoc 102(477): 359–378. "
-      "doi:10.1198/016214506000001437 (energy score)"};
+  std::vector<std::string> out = {kRen2016, kZou2006, kTanabe2013, kNlopt, kCook1994, kFearnhead2012, kGneiting2007};
   for (const FitResult& r : c.models)
     if (!r.citation.empty() && std::none_of(out.begin(), out.end(), [&](const std::string& old) { return old.starts_with(r.citation); }))
       out.push_back(fmt::format("{} ({})", r.citation, r.model));
@@ -113,7 +119,7 @@ Methods methods(const Evaluation& e, const std::string& version) {
                    kMetricsDefined, lags_measured_at(e), e.binning.bins, binning_text(e.binning)),
        "Polarisation is the length of the mean heading over individuals [2], milling that of the mean r̂ × v̂ about the centroid [3], "
        "the rms radius the root mean square distance to the centroid; each is the mean over frames."},
-      {fmt::format("{} (metrics, energy)", kRen),
+      {kRen2016,
        "Vicsek T, Czirók A, Ben-Jacob E, Cohen I, Shochet O (1995) Novel type of phase transition in a system of self-driven particles. "
        "Phys Rev Lett 75(6): 1226–1229. doi:10.1103/PhysRevLett.75.1226 (polarisation)",
        "Couzin ID, Krause J, James R, Ruxton GD, Franks NR (2002) Collective memory and spatial sorting in animal groups. J Theor Biol "
