@@ -41,7 +41,10 @@ int evaluate(const EvaluateArguments& a) {
   const Tracks other = load(simulated);
   const Evaluation result = swarmfit::evaluate(real, other, binning(a.normalisation, a.bins), options);
   std::fputs((a.common.json ? to_json(result) : evaluation_text(result, style())).c_str(), stdout);
-  if (!a.html.empty()) write_file_atomically(a.html, evaluation_html(result, portrait(real, other, result), a.line, kVersion));
+  if (a.html.empty()) return 0;
+  PairPortrait both = portrait(real, other, result);
+  both.comparison.observation.velocity = a.velocity;
+  write_file_atomically(a.html, evaluation_html(result, both, a.line, kVersion));
   return 0;
 }
 

@@ -102,7 +102,7 @@ Html references(const Methods& m) {
 
 PageValues parts(const Evaluation& e, const PairPortrait& p, const std::string& version) {
   const Comparison& c = p.comparison;
-  const Methods how = methods(e, version);
+  const Methods how = methods(e, c.observation.velocity == "recorded", version);
   Html origin = provenance("recording", c.data);
   origin += provenance("simulation", p.simulation);
   return {{"badge", sections::badge(c).text},

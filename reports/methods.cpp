@@ -69,8 +69,7 @@ std::string what_was_done(const Comparison& c) {
 constexpr const char* kMetricsDefined =
     "Per individual and frame, with velocities v(k) = (p(k+1) − p(k))/dt: speed v, acceleration a, angular velocity ω, angular "
     "acceleration α, Cartesian jerk μ, distance d to the nearest neighbour, and velocity difference η = | |v(nearest)| − |v| | / d. "
-    "Nothing "
-    "is differenced across a gap.";
+    "Nothing is differenced across a gap.";
 
 std::string how_it_is_measured(const Comparison& c) {
   const std::string energy =
@@ -112,11 +111,12 @@ std::string lags_measured_at(const Evaluation& e) {
 
 }  // namespace
 
-Methods methods(const Evaluation& e, const std::string& version) {
+Methods methods(const Evaluation& e, bool recorded_velocities, const std::string& version) {
   return {
       {fmt::format("{} was compared with {} by swarmfit {}.", e.simulated.from.path, e.real.from.path, version),
-       fmt::format("{}{} Each metric becomes a discrete density Q of {} bins, {}; its energy is the L1 distance Σ |Q − Q'| [1].",
-                   kMetricsDefined, lags_measured_at(e), e.binning.bins, binning_text(e.binning)),
+       fmt::format("{}{}{} Each metric becomes a discrete density Q of {} bins, {}; its energy is the L1 distance Σ |Q − Q'| [1].",
+                   kMetricsDefined, lags_measured_at(e), recorded_velocities ? " Velocities are the files' own." : "", e.binning.bins,
+                   binning_text(e.binning)),
        "Polarisation is the length of the mean heading over individuals [2], milling that of the mean r̂ × v̂ about the centroid [3], "
        "the rms radius the root mean square distance to the centroid; each is the mean over frames."},
       {kRen2016,

@@ -15,7 +15,8 @@ struct Methods {
   std::vector<std::string> paragraphs, references;
 };
 Methods methods(const Comparison&);
-Methods methods(const Evaluation&, const std::string& version);  // of the program
+// Version of the program; recorded velocities: those of the files were measured, not differences of positions.
+Methods methods(const Evaluation&, bool recorded_velocities, const std::string& version);
 
 std::string methods_markdown(const Comparison&);
 std::string methods_latex(const Comparison&);

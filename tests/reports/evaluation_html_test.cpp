@@ -88,6 +88,13 @@ TEST(EvaluationPage, HasPlayerChartsMethodsAndCommand) {
   EXPECT_THAT(page, Not(HasSubstr("{{")));
 }
 
+TEST(EvaluationPage, SaysWhoseVelocitiesAreMeasured) {
+  Pair p = sample();
+  EXPECT_THAT(page_of(p), Not(HasSubstr("Velocities are the files")));
+  p.portrait.comparison.observation.velocity = "recorded";
+  EXPECT_THAT(page_of(p), HasSubstr("Velocities are the files&#39; own."));
+}
+
 TEST(EvaluationPage, HostileTextStaysText) {
   constexpr const char* kHostile = "</title></script><img src=x onerror=\"alert('1')\">";
   Pair p = sample();
