@@ -94,6 +94,8 @@ struct EvaluateArguments {
   Common common;
   DataArguments real;
   std::string simulated, simulated_columns;
+  std::string html;  // page to write, too
+  std::string line;  // the command as it was given, for the page
   std::string normalisation = "reference", velocity = "difference", lags = "1";
   int bins = 0;
 };

@@ -7,10 +7,13 @@
 #include "cli/commands.h"
 #include "cli/settings.h"
 #include "cli/style.h"
+#include "cli/version.h"
+#include "fit/portrait.h"
 #include "libeval/evaluation.h"
 #include "libeval/lags.h"
 #include "libeval/localisation.h"
 #include "libtrack/file.h"
+#include "reports/evaluation_html.h"
 #include "reports/json.h"
 #include "reports/terminal.h"
 
@@ -35,8 +38,13 @@ int evaluate(const EvaluateArguments& a) {
   const Tracks real = load(a.real);
   MetricOptions options{a.velocity == "recorded" ? VelocitySource::recorded : VelocitySource::difference, parse_lags(a.lags)};
   if (options.lags.empty()) options.lags = chosen_lags(real, a);
-  const Evaluation result = swarmfit::evaluate(real, load(simulated), binning(a.normalisation, a.bins), options);
+  const Tracks other = load(simulated);
+  const Evaluation result = swarmfit::evaluate(real, other, binning(a.normalisation, a.bins), options);
   std::fputs((a.common.json ? to_json(result) : evaluation_text(result, style())).c_str(), stdout);
+  if (a.html.empty()) return 0;
+  PairPortrait both = portrait(real, other, result);
+  both.comparison.observation.velocity = a.velocity;
+  write_file_atomically(a.html, evaluation_html(result, both, a.line, kVersion));
   return 0;
 }
 

@@ -224,6 +224,7 @@ struct Program {
         ->capture_default_str();
     sub.add_option("--lags", a.lags, "measure motion over this many frames, as in compare: 1,4,16 or auto")->capture_default_str();
     sub.add_option("--bins", a.bins, "histogram bins, instead of the normalisation's default")->check(CLI::NonNegativeNumber);
+    sub.add_option("--html", a.html, "page to write, too: both in motion side by side, energies, distributions");
   }
 
   void add_weigh() {
@@ -303,7 +304,7 @@ struct Program {
     sub.add_option("--protocol", a.protocol, "as in compare")->check(CLI::IsMember({"default", "ren2016"}))->capture_default_str();
     sub.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
     sub.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);
-    sub.add_option("-o,--out", a.out, "run directory; swarmfit-recovery if not given");
+    sub.add_option("-o,--out", a.out, "run directory, with report.html to look at; swarmfit-recovery if not given");
   }
 
   void add_power() {
@@ -367,7 +368,7 @@ std::string command_line(int argc, char** argv) {
 
 int run(int argc, char** argv) {
   Program program;
-  program.describe.line = program.simulate.line = command_line(argc, argv);
+  program.describe.line = program.simulate.line = program.evaluate.line = command_line(argc, argv);
   try {
     program.app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -8,6 +8,7 @@
 #include "cli/interrupt.h"
 #include "cli/settings.h"
 #include "cli/style.h"
+#include "cli/version.h"
 #include "libtrack/error.h"
 #include "reports/power_report.h"
 
@@ -32,6 +33,7 @@ int power(const PowerArguments& given) {
     std::fprintf(stderr, "swarmfit: interrupted; nothing was written\n");
     return kInterrupted;
   }
+  result.fitted.version = kVersion;
   Settings settings = resolved(a, options.compare.models);
   settings.emplace_back("seeds", std::to_string(given.seeds));
   write_power(dir, result, settings);

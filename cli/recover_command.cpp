@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/settings.h"
 #include "cli/style.h"
+#include "cli/version.h"
 #include "fit/recovery.h"
 #include "libtrack/error.h"
 #include "reports/parameter_recovery_report.h"
@@ -100,7 +101,7 @@ int recover_models_of(const RecoverArguments& a, const RecoveryOptions& options,
     return !interrupted();
   });
   const Settings settings = resolved(a, options);
-  write_recovery(dir, result, settings);
+  write_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : recovery_text(result, style()).c_str(), stdout);
   return 0;
 }
@@ -111,7 +112,7 @@ int recover_parameters_of(const RecoverArguments& a, const RecoveryOptions& opti
     return !interrupted();
   });
   const Settings settings = resolved(a, options);
-  write_parameter_recovery(dir, result, settings);
+  write_parameter_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : parameter_recovery_text(result, style()).c_str(), stdout);
   return 0;
 }

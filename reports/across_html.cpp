@@ -7,7 +7,7 @@
 
 #include "reports/across_report.h"
 #include "reports/assets.h"
-#include "reports/html_table.h"
+#include "reports/html_paper_table.h"
 #include "reports/number.h"
 #include "reports/page.h"
 #include "reports/words.h"
@@ -28,21 +28,6 @@ std::string percent_encoded(std::string_view text) {
 
 Html link(const RecordingPage& page, std::string_view text) {
   return {fmt::format("<a href=\"./{}/report.html\">{}</a>", percent_encoded(page.folder), html_escaped(printable(text)))};
-}
-
-// A table for print as one for the screen: the first column names the row.
-HtmlTable on_screen(const PaperTable& t) {
-  HtmlTable out(t.caption);
-  out.sortable();
-  std::vector<HtmlTable::Cell> head;
-  for (std::size_t k = 0; k < t.head.size(); ++k) head.push_back(column(printable(t.head[k]), k > 0));
-  out.head(head);
-  for (const auto& row : t.rows) {
-    std::vector<HtmlTable::Cell> cells{name_cell(escaped(printable(row.front())))};
-    for (std::size_t k = 1; k < row.size(); ++k) cells.push_back(number_cell(row[k]));
-    out.row(cells, &row == &t.rows.front() && t.name == "across_ranking" ? "first" : "");
-  }
-  return out;
 }
 
 Html recordings(const Across& a, const std::vector<RecordingPage>& pages) {
@@ -76,7 +61,8 @@ std::string across_detail(const Across& a) {
 
 std::string across_html(const Across& a, const std::vector<RecordingPage>& pages, const std::string& version) {
   std::string ranking, weights;
-  for (const PaperTable& t : paper_tables(a)) (t.name == "across_ranking" ? ranking : weights) += on_screen(t).html().text;
+  for (const PaperTable& t : paper_tables(a))
+    (t.name == "across_ranking" ? ranking : weights) += on_screen(t, t.name == "across_ranking").html().text;
   return filled(assets::across_html, {{"policy", content_policy(assets::report_css, {assets::sort_js})},
                                       {"css", std::string(assets::report_css)},
                                       {"sort_js", std::string(assets::sort_js)},

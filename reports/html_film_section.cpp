@@ -22,6 +22,13 @@ constexpr const char* kModels =
     " Each model is shown by its first final simulation, one of those behind its score, observed as the recording is. All are drawn to the "
     "same scale, without perspective.";
 
+constexpr const char* kPair = " Both begin at their own first frame, and are drawn to the same scale, without perspective.";
+
+std::string who_is_shown(const Comparison& c) {
+  if (c.models.empty()) return {};
+  return c.command == "evaluate" ? kPair : kModels;
+}
+
 }  // namespace
 
 Html motion(const Comparison& c) {
@@ -29,7 +36,7 @@ Html motion(const Comparison& c) {
   std::vector<Take> takes{{c.data.format == "simulated" ? c.data.path : "recording", &c.film}};
   for (std::size_t k = 0; k < c.models.size(); ++k) takes.push_back({c.models[k].model, &c.models[k].film, static_cast<int>(k)});
   Html out = markup("<section id=\"motion\" aria-labelledby=\"motion-title\">\n<h2 id=\"motion-title\">In motion</h2>\n");
-  out += element("p", "", escaped(what_is_shown(c) + (c.models.empty() ? "" : kModels)));
+  out += element("p", "", escaped(what_is_shown(c) + who_is_shown(c)));
   out += player(takes);
   out += markup("</section>\n");
   return out;

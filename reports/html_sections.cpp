@@ -52,12 +52,19 @@ Scale score_scale(const Comparison& c) {
   return scale;
 }
 
-// Beneath the chart of a column: what it weighs, or where nobody is compared, its mean and standard deviation.
+// Beneath the chart of a column: what it weighs, or what its energy is, or where nobody is compared, its mean and standard deviation.
 std::string column_remark(const Comparison& c, std::size_t m) {
   const Moments& all = c.recording[m].moments;
   if (c.models.empty())
     return fmt::format("{} ± {} {}", rounded(all.mean), rounded(all.sd()), metric_unit(c.columns[m].metric, c.data.unit));
+  if (c.command == "evaluate") return fmt::format("energy {}", fixed(c.models.front().raw_energies[m], 3));
   return counts(c, m) ? fmt::format("weight {}", fixed(c.weights[m], 3)) : "left out: " + why_left_out(c, m);
+}
+
+// Whose densities a chart shows.
+std::string whose(const Comparison& c) {
+  if (c.models.empty()) return {};
+  return c.command == "evaluate" ? " in the recording and in the simulation" : " in the recording and in every model";
 }
 
 std::vector<std::string> remarks(const FitResult& r) {
@@ -71,7 +78,7 @@ std::vector<std::string> remarks(const FitResult& r) {
 
 }  // namespace
 
-Html badge(const Comparison& c) { return c.data.synthetic ? markup("<span class=\"badge\">synthetic data</span>") : Html{}; }
+Html badge(const Comparison& c) { return c.data.synthetic ? synthetic_badge() : Html{}; }
 
 Html data_facts(const Comparison& c) {
   const DataFacts& d = c.data;
@@ -151,10 +158,10 @@ Html pdf_figures(const Comparison& c) {
       out += Html{fmt::format("<figure><h3>{} {}</h3><p class=\"note\">No samples in this recording.</p></figure>\n", name, symbol)};
       continue;
     }
-    out += Html{fmt::format(
-        "<figure><h3>{0} {1}</h3><div class=\"canvas\"><canvas id=\"pdf-{2}\" role=\"img\" "
-        "aria-label=\"Density of the {0}{4}\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
-        name, symbol, c.columns[m].key(), html_escaped(remark), c.models.empty() ? "" : " in the recording and in every model")};
+    out +=
+        Html{fmt::format("<figure><h3>{0} {1}</h3><div class=\"canvas\"><canvas id=\"pdf-{2}\" role=\"img\" "
+                         "aria-label=\"Density of the {0}{4}\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
+                         name, symbol, c.columns[m].key(), html_escaped(remark), whose(c))};
   }
   return out;
 }

@@ -20,6 +20,7 @@ std::string classes(const HtmlTable::Cell& cell) {
   if (cell.number) out += "n ";
   if (cell.soft) out += "out ";
   if (cell.head && !cell.number) out += "name ";
+  if (!cell.also.empty()) out += cell.also + ' ';
   if (!out.empty()) out.pop_back();
   return out;
 }
@@ -115,6 +116,8 @@ Html place_drawing(double share, bool at_bound) {
       "<circle cx=\"{:.2f}\" cy=\"7\" r=\"5\"/></svg>",
       at_bound ? " bound" : "", 5 + 102 * std::clamp(share, 0.0, 1.0))};
 }
+
+Html synthetic_badge() { return markup("<span class=\"badge\">synthetic data</span>"); }
 
 Html key_drawing(std::size_t series) {
   return {

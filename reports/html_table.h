@@ -37,7 +37,8 @@ class HtmlTable {
     Html content;
     bool number = false;  // right-aligned
     bool head = false;
-    bool soft = false;  // a metric that is left out
+    bool soft = false;   // a metric that is left out
+    std::string also{};  // further classes of report.css
   };
   HtmlTable& head(const std::vector<Cell>& cells) { return add(head_, "", cells); }
   HtmlTable& row(const std::vector<Cell>& cells, std::string_view classes = "") { return add(body_, classes, cells); }
@@ -66,6 +67,8 @@ Html fact(std::string_view term, std::string_view value, bool wide = false);
 Html interval_drawing(double value, double low, double high, double lower, double upper, std::size_t series);
 // Where a fitted value lies between its bounds.
 Html place_drawing(double share, bool at_bound);
+// "synthetic data", beside a page's kind.
+Html synthetic_badge();
 // Line sample of a series in the charts' legend.
 Html key_drawing(std::size_t series);
 Html recording_key();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "libeval/lags.h"
 #include "reports/number.h"
 #include "reports/paper_text.h"
 #include "reports/words.h"
@@ -65,6 +66,11 @@ std::string what_was_done(const Comparison& c) {
       b.name, metrics_text(c), b.selection.replicates, b.confirmation_replicates, b.final_replicates, c.seed);
 }
 
+constexpr const char* kMetricsDefined =
+    "Per individual and frame, with velocities v(k) = (p(k+1) − p(k))/dt: speed v, acceleration a, angular velocity ω, angular "
+    "acceleration α, Cartesian jerk μ, distance d to the nearest neighbour, and velocity difference η = | |v(nearest)| − |v| | / d. "
+    "Nothing is differenced across a gap.";
+
 std::string how_it_is_measured(const Comparison& c) {
   const std::string energy =
       c.binning.pooled
@@ -72,13 +78,9 @@ std::string how_it_is_measured(const Comparison& c) {
           : "its energy is the energy score of the recording, the mean L1 distance Σ |Q − Q'| between recording and replicates "
             "less half its mean between two replicates [7]";
   return fmt::format(
-      "Per individual and frame, with velocities v(k) = (p(k+1) − p(k))/dt: speed v, acceleration a, angular velocity ω, angular "
-      "acceleration "
-      "α, Cartesian jerk μ, distance d to the nearest neighbour, and velocity difference η = | |v(nearest)| − |v| | / d. Nothing is "
-      "differenced "
-      "across a gap. Each metric becomes a discrete density Q; {}, normalised over the models as (energy − p1)/p2 with p1 the least and p2 "
+      "{} Each metric becomes a discrete density Q; {}, normalised over the models as (energy − p1)/p2 with p1 the least and p2 "
       "the range. Weights follow from the entropy of the normalised energies, and the search is repeated until they settle.",
-      energy);
+      kMetricsDefined, energy);
 }
 
 std::vector<std::string> references(const Comparison& c) {
@@ -89,7 +91,40 @@ std::vector<std::string> references(const Comparison& c) {
   return out;
 }
 
+// By what the values of a metric are put into bins.
+std::string binning_text(const Binning& b) {
+  switch (b.normalisation) {
+    case Normalisation::reference:
+      return "standardised by the mean and standard deviation of the recording";
+    case Normalisation::separate:
+      return "standardised for each of the two by its own mean and standard deviation";
+    case Normalisation::none:
+      return "in physical units over the recording's 0.5 to 99.5 percentile range";
+  }
+  return {};
+}
+
+std::string lags_measured_at(const Evaluation& e) {
+  const std::vector<int> lags = lags_of(e.columns);
+  return lags == std::vector<int>{1} ? "" : fmt::format(" Over l frames, p(k+l) and l dt stand in their place; l = {}.", lags_text(lags));
+}
+
 }  // namespace
+
+Methods methods(const Evaluation& e, bool recorded_velocities, const std::string& version) {
+  return {
+      {fmt::format("{} was compared with {} by swarmfit {}.", e.simulated.from.path, e.real.from.path, version),
+       fmt::format("{}{}{} Each metric becomes a discrete density Q of {} bins, {}; its energy is the L1 distance Σ |Q − Q'| [1].",
+                   kMetricsDefined, lags_measured_at(e), recorded_velocities ? " Velocities are the files' own." : "", e.binning.bins,
+                   binning_text(e.binning)),
+       "Polarisation is the length of the mean heading over individuals [2], milling that of the mean r̂ × v̂ about the centroid [3], "
+       "the rms radius the root mean square distance to the centroid; each is the mean over frames."},
+      {kRen2016,
+       "Vicsek T, Czirók A, Ben-Jacob E, Cohen I, Shochet O (1995) Novel type of phase transition in a system of self-driven particles. "
+       "Phys Rev Lett 75(6): 1226–1229. doi:10.1103/PhysRevLett.75.1226 (polarisation)",
+       "Couzin ID, Krause J, James R, Ruxton GD, Franks NR (2002) Collective memory and spatial sorting in animal groups. J Theor Biol "
+       "218(1): 1–11. doi:10.1006/jtbi.2002.3065 (milling)"}};
+}
 
 Methods methods(const Comparison& c) { return {{what_was_done(c), how_it_is_measured(c)}, references(c)}; }
 

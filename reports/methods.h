@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/results.h"
+#include "libeval/evaluation.h"
 
 namespace swarmfit {
 
@@ -14,6 +15,8 @@ struct Methods {
   std::vector<std::string> paragraphs, references;
 };
 Methods methods(const Comparison&);
+// Version of the program; recorded velocities: those of the files were measured, not differences of positions.
+Methods methods(const Evaluation&, bool recorded_velocities, const std::string& version);
 
 std::string methods_markdown(const Comparison&);
 std::string methods_latex(const Comparison&);

@@ -7,6 +7,7 @@
 
 #include "libtrack/file.h"
 #include "reports/number.h"
+#include "reports/parameter_recovery_html.h"
 #include "reports/tables.h"
 
 namespace swarmfit {
@@ -14,12 +15,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string band(const ParameterRecovery& r) {
+}  // namespace
+
+std::string coverage_band_text(const ParameterRecovery& r) {
   return fmt::format("Intervals that hold the truth 95 times in 100 cover {} to {} of {} (99 % of the binomial, {} parameters).", r.fewest,
                      r.most, r.cases.size(), r.parameters.size());
 }
 
-}  // namespace
+std::string left_out_text(const ParameterRecovery& r) {
+  if (r.left_out == 0) return {};
+  return fmt::format(" {} more plants were left out: they carry no fit, or the truth lies beyond the bounds of one.", r.left_out);
+}
 
 PaperTable coverage_table(const ParameterRecovery& r, const std::string& caption) {
   PaperTable t{"coverage", caption, {r.model, "covered", "identified", "one-sided", "flat", "mean width", "bias", "rmse"}, {}};
@@ -33,11 +39,7 @@ std::string parameter_recovery_text(const ParameterRecovery& r, TextStyle style)
   if (r.cases.empty()) return fmt::format("None of {} recordings made by {} carries a fit.\n", r.left_out, r.model);
   const std::string text = table_text(coverage_table(r, ""), style) +
                            " width, bias and rmse (of the posterior's median): shares of what is searched, on the axis of the search\n " +
-                           band(r) + '\n' +
-                           (r.left_out > 0 ? fmt::format(" {} more plants were left out: they carry no fit, or the truth lies beyond the "
-                                                         "bounds of one.\n",
-                                                         r.left_out)
-                                           : "");
+                           coverage_band_text(r) + '\n' + (r.left_out > 0 ? left_out_text(r) + '\n' : "");
   return style.unicode ? text : ascii(text);
 }
 
@@ -75,10 +77,11 @@ std::string to_json(const ParameterRecovery& r, const Settings& conditions) {
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-void write_parameter_recovery(const std::string& dir, const ParameterRecovery& r, const Settings& settings) {
+void write_parameter_recovery(const std::string& dir, const ParameterRecovery& r, const Settings& settings, const std::string& version) {
   begin_study(dir, "recover", settings, "recovery.json");
-  write_table(dir + "/tables", coverage_table(r, "How many of the true values lie in their 95 % intervals. " + band(r)));
+  write_table(dir + "/tables", coverage_table(r, "How many of the true values lie in their 95 % intervals. " + coverage_band_text(r)));
   write_file_atomically(dir + "/tables/cases.csv", parameter_cases_csv(r));
+  write_file_atomically(dir + "/report.html", parameter_recovery_html(r, settings, version));
   write_file_atomically(dir + "/recovery.json", to_json(r, settings));
 }
 

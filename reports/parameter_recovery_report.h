@@ -14,7 +14,12 @@ std::string parameter_recovery_text(const ParameterRecovery&, TextStyle);
 std::string parameter_cases_csv(const ParameterRecovery&);                  // one row per recording and parameter
 std::string to_json(const ParameterRecovery&, const Settings& conditions);  // "swarmfit-parameter-recovery/1"
 
-// Writes config.toml, tables/ and recovery.json, which comes last. Throws as write_run.
-void write_parameter_recovery(const std::string& dir, const ParameterRecovery&, const Settings& settings);
+// How many of the recordings intervals that hold the truth 95 times in 100 cover.
+std::string coverage_band_text(const ParameterRecovery&);
+// " 3 more plants were left out: ..."; empty if none were.
+std::string left_out_text(const ParameterRecovery&);
+
+// Writes config.toml, tables/, report.html and recovery.json, which comes last; the page names the program's version. Throws as write_run.
+void write_parameter_recovery(const std::string& dir, const ParameterRecovery&, const Settings& settings, const std::string& version);
 
 }  // namespace swarmfit

@@ -8,6 +8,7 @@
 
 #include "libtrack/file.h"
 #include "reports/number.h"
+#include "reports/power_html.h"
 #include "reports/tables.h"
 #include "reports/words.h"
 
@@ -105,6 +106,7 @@ void write_power(const std::string& dir, const Power& p, const Settings& setting
                   "for a lead in 95 %."));
   write_file_atomically(tables + "/pairs.csv", pairs_csv(p));
   write_file_atomically(tables + "/cases.csv", recovery_csv(p.recovery));
+  write_file_atomically(dir + "/report.html", power_html(p, settings));
   write_file_atomically(dir + "/power.json", to_json(p, settings));
 }
 

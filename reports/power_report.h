@@ -15,7 +15,7 @@ PaperTable pairs_table(const Power&, const std::string& caption);  // "pairs": o
 std::string pairs_csv(const Power&);
 std::string to_json(const Power&, const Settings& settings);  // "swarmfit-power/1"
 
-// Writes config.toml, tables/ and power.json, which comes last. Throws as write_run.
+// Writes config.toml, tables/, report.html and power.json, which comes last. Throws as write_run.
 void write_power(const std::string& dir, const Power&, const Settings& settings);
 
 }  // namespace swarmfit

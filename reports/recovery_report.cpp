@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "libtrack/file.h"
 #include "reports/number.h"
+#include "reports/recovery_counts.h"
+#include "reports/recovery_html.h"
 #include "reports/tables.h"
 
 namespace swarmfit {
@@ -15,39 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-int recordings(const Recovery& r, std::size_t planted) {
-  return static_cast<int>(std::count_if(r.cases.begin(), r.cases.end(), [&](const RecoveryCase& c) { return c.planted == planted; }));
-}
-
-int recovered(const Recovery& r, std::size_t planted) {
-  return static_cast<int>(
-      std::count_if(r.cases.begin(), r.cases.end(), [&](const RecoveryCase& c) { return c.planted == planted && c.rank_of_planted == 1; }));
-}
-
 std::string count_text(int n) { return n > 0 ? std::to_string(n) : "·"; }
 
 std::vector<std::string> confusion_row(const Recovery& r, std::size_t p) {
   std::vector<std::string> row{r.planted[p]};
   for (const int n : r.confusion[p]) row.push_back(count_text(n));
-  row.push_back(fmt::format("{} of {}", recovered(r, p), recordings(r, p)));
+  row.push_back(fmt::format("{} of {}", counts_of::recovered(r, p), counts_of::recordings(r, p)));
   return row;
-}
-
-// In how many recordings made by one model was another in the best group?
-int in_set(const Recovery& r, std::size_t planted, const std::string& model) {
-  int n = 0;
-  for (const RecoveryCase& c : r.cases)
-    for (std::size_t k = 0; c.planted == planted && k < c.order.size(); ++k) n += c.order[k] == model && c.group[k] == 1;
-  return n;
-}
-
-// In how many was the model that made them rejected as not explaining them?
-int rejected(const Recovery& r, std::size_t planted) {
-  int n = 0;
-  for (const RecoveryCase& c : r.cases)
-    for (std::size_t k = 0; c.planted == planted && k < c.order.size(); ++k)
-      n += c.order[k] == r.planted[planted] && c.goodness_p[k] <= kAlpha;
-  return n;
 }
 
 Json parameters(const std::string& name, const std::vector<double>& values) {
@@ -83,8 +58,8 @@ PaperTable confidence_table(const Recovery& r, const std::string& caption) {
   t.head.emplace_back("rejected");
   for (std::size_t p = 0; p < r.planted.size(); ++p) {
     t.rows.push_back({r.planted[p]});
-    for (const auto& model : r.compared) t.rows.back().push_back(count_text(in_set(r, p, model)));
-    t.rows.back().push_back(fmt::format("{} of {}", rejected(r, p), recordings(r, p)));
+    for (const auto& model : r.compared) t.rows.back().push_back(count_text(counts_of::in_best_group(r, p, model)));
+    t.rows.back().push_back(fmt::format("{} of {}", counts_of::rejected(r, p, r.planted[p]), counts_of::recordings(r, p)));
   }
   return t;
 }
@@ -110,8 +85,8 @@ std::string to_json(const Recovery& r, const Settings& conditions) {
     planted.push_back({{"name", r.planted[p]},
                        {"parameters", parameters(r.planted[p], r.parameters[p])},
                        {"ranked_first", r.confusion[p]},
-                       {"recovered", recovered(r, p)},
-                       {"recordings", recordings(r, p)}});
+                       {"recovered", counts_of::recovered(r, p)},
+                       {"recordings", counts_of::recordings(r, p)}});
   for (const RecoveryCase& c : r.cases)
     cases.push_back({{"planted", r.planted[c.planted]},
                      {"seed", c.seed},
@@ -144,10 +119,11 @@ void write_matrices(const std::string& dir, const Recovery& r, const Settings& s
     write_table(dir, t);
 }
 
-void write_recovery(const std::string& dir, const Recovery& r, const Settings& settings) {
+void write_recovery(const std::string& dir, const Recovery& r, const Settings& settings, const std::string& version) {
   begin_study(dir, "recover", settings, "recovery.json");
   write_matrices(dir + "/tables", r, settings);
   write_file_atomically(dir + "/tables/cases.csv", recovery_csv(r));
+  write_file_atomically(dir + "/report.html", recovery_html(r, settings, version));
   write_file_atomically(dir + "/recovery.json", to_json(r, settings));
 }
 

@@ -23,7 +23,7 @@ PaperTable confidence_table(const Recovery&, const std::string& caption);  // "c
 // Both matrices as .md and .tex; the settings other than the models go into their captions.
 void write_matrices(const std::string& dir, const Recovery&, const Settings& settings);
 
-// Writes config.toml, tables/ and recovery.json, which comes last. Throws as write_run.
-void write_recovery(const std::string& dir, const Recovery&, const Settings& settings);
+// Writes config.toml, tables/, report.html and recovery.json, which comes last; the page names the program's version. Throws as write_run.
+void write_recovery(const std::string& dir, const Recovery&, const Settings& settings, const std::string& version);
 
 }  // namespace swarmfit

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "libeval/lags.h"
+#include "reports/evaluation_words.h"
 #include "reports/number.h"
 #include "reports/sparkline.h"
 #include "reports/summary_words.h"
@@ -240,22 +240,13 @@ std::string describe_text(const TrackMeta& meta, const Summary& s, TextStyle sty
 // ---- evaluate, weigh, lists ---------------------------------------------------------------------------------------------------
 
 std::string evaluation_text(const Evaluation& e, TextStyle style) {
-  TextTable t({Align::left, Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left}, style);
-  t.row({"", "metric", "energy", "recording", "simulation", "mean ratio", "sd ratio", "unit"}, Paint::bold);
-  for (std::size_t m = 0; m < e.columns.size(); ++m) {
-    const Column& column = e.columns[m];
-    const Moments &real = e.real_distribution[m].moments, &simulated = e.simulated_distribution[m].moments;
-    const std::string sign = style.unicode ? " ± " : " +- ";
-    t.row({symbol_of(column, style), column.name(), fixed(e.raw_energies[m], 3), rounded(real.mean) + sign + rounded(real.sd()),
-           rounded(simulated.mean) + sign + rounded(simulated.sd()), rounded(simulated.mean / real.mean),
-           rounded(simulated.sd() / real.sd()), metric_unit(column.metric, e.real.unit)});
+  TextRows rows = energy_rows(e);
+  for (std::size_t m = 0; !style.unicode && m < e.columns.size(); ++m) {  // before columns are aligned
+    rows[m + 1][0] = e.columns[m].key();
+    for (const std::size_t k : {3U, 4U}) rows[m + 1][k] = ascii(rows[m + 1][k]);
   }
-  TextTable order({Align::left, Align::right, Align::right}, style);
-  order.row({"mean over frames", "recording", "simulation"}, Paint::bold);
-  order.row({"polarisation", rounded(e.real_order.polarisation), rounded(e.simulated_order.polarisation)});
-  order.row({"milling", rounded(e.real_order.milling), rounded(e.simulated_order.milling)});
-  order.row({"rms radius [" + e.real.unit + ']', rounded(e.real_order.extent), rounded(e.simulated_order.extent)});
-
+  const Align l = Align::left, r = Align::right;
+  const TextTable t = table_of(rows, {l, l, r, r, r, r, r, l}, true, style), order = table_of(order_rows(e), {l, r, r}, true, style);
   const auto source = [](const TrackMeta& meta) { return printable(meta.from.path) + (meta.from.synthetic ? " (synthetic)" : ""); };
   std::string out = fmt::format("recording   {}\nsimulation  {}\n\n", source(e.real), source(e.simulated));
   out += t.text() + '\n';
@@ -265,9 +256,7 @@ std::string evaluation_text(const Evaluation& e, TextStyle style) {
     out += shapes_text(shapes, first, "distribution", style) + '\n';
   if (style.unicode) out += paragraph(what_shapes_mean(e.binning), " ") + '\n';
   out += order.text() + '\n';
-  out += paragraph(fmt::format("Energy: 0 for the same distribution, {} for disjoint ones.", brief(worst_energy(e.binning))));
-  out += paragraph(fmt::format("Motion is measured at lag{} {} (frames of {} s).", lags_of(e.columns).size() > 1 ? "s" : "",
-                               lags_text(lags_of(e.columns)), brief(e.real.dt)));
+  out += paragraph(energy_words(e)) + paragraph(lag_words(e));
   return finish(std::move(out), style);
 }
 

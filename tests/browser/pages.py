@@ -59,6 +59,25 @@ class Pages:
         self.run("simulate", "vicsek", "--dims", "2", "--agents", "40", "--frames", "30", "--html", "simulate.html")
         return self.url("simulate.html")
 
+    def evaluate(self):
+        """The example against a simulation whose frames are numbered from elsewhere."""
+        self.run("simulate", "brownian", "--agents", "8", "--frames", "50", "--fps", "50", "--unit", "mm", "--out", "other.csv")
+        self.run("evaluate", *DEMO, "other.csv", "--html", "evaluate.html")
+        return self.url("evaluate.html")
+
+    def recover(self):
+        self.run("recover", "-m", "bswarm,boids", "--seeds", "2", "--agents", "6", "--frames", "50", "--max-evaluations", "10", "-q",
+                 "--out", "recover")
+        return self.url("recover", "report.html")
+
+    def recover_parameters(self):
+        self.run("recover", "--parameters", "-m", "brownian", "--seeds", "3", "--agents", "6", "--frames", "60", "-q", "--out", "parameters")
+        return self.url("parameters", "report.html")
+
+    def power(self):
+        self.run("power", *DEMO, "-m", "bswarm,boids", "--seeds", "2", "--max-evaluations", "10", "-q", "--out", "power")
+        return self.url("power", "report.html")
+
     def flock(self):
         """That flies far in comparison with its size."""
         self.run("simulate", "boids", "--agents", "20", "--frames", "240", "--fps", "30", "--box", "0", "--start-radius", "1", "--set",
@@ -69,16 +88,26 @@ class Pages:
         self.run("gallery", "gallery.html")
         return self.url("gallery.html")
 
+    def json(self, *arguments):
+        """What a command prints."""
+        printed = subprocess.run([self.program, *arguments, "--json"], cwd=self.folder, capture_output=True, text=True, timeout=60, check=True)
+        return json.loads(printed.stdout)
+
     def models(self):
         """Names of all models."""
-        listed = subprocess.run([self.program, "models", "--json"], capture_output=True, text=True, timeout=60, check=True)
-        return [model["name"] for model in json.loads(listed.stdout)["models"]]
+        return [model["name"] for model in self.json("models")["models"]]
 
     def hostile_recording(self):
         """The same recording as a page of its own."""
         self.hostile()
         self.run("describe", HOSTILE_NAME, *HOSTILE_FLAGS, "--html", "recording.html")
         return self.url("recording.html")
+
+    def hostile_pair(self):
+        """The same recording against itself."""
+        self.hostile()
+        self.run("evaluate", HOSTILE_NAME, HOSTILE_NAME, *HOSTILE_FLAGS, "--html", "pair.html")
+        return self.url("pair.html")
 
     def hostile(self):
         self.run("simulate", "brownian", "--agents", "6", "--frames", "60", "--out", "plain.csv")

@@ -120,6 +120,100 @@ class OtherPages(Page):
         self.wait("the last one to run", last.replace("return ", "return !") + ".startsWith('0.00 s')")
 
 
+class Evaluations(Page):
+    def test_two_side_by_side(self):
+        self.open_player("evaluate")
+        self.expect_pictures(7, 2)
+        names = self.browser.run("return [...document.querySelectorAll('.stage figcaption')].map((c) => c.textContent.trim())")
+        self.assertEqual([name.split()[0] for name in names], ["recording", "simulation"])
+        self.assertIn("swarmfit evaluate demo --frames 0:60 other.csv --html evaluate.html", self.browser.text(self.browser.find("#repeat")))
+
+    def test_charts_follow_the_legend(self):
+        self.open("evaluate")
+        chart = self.browser.find("#pdf-v")
+        before = self.picture(chart)["print"]
+        self.browser.click(self.browser.find("#legend input[data-model='0']"))
+        without = self.picture(chart)["print"]
+        self.assertNotEqual(without, before)
+        self.browser.click(self.browser.find("#log"))
+        self.assertNotEqual(self.picture(chart)["print"], without)
+
+    # What stands in the table is what the program prints.
+    def test_energies_are_those_of_the_terminal(self):
+        self.open("evaluate")
+        shown = self.browser.run("return [...document.querySelectorAll('#energies tbody tr')].map((row) => [row.cells[0].textContent, "
+                                 "row.cells[2].textContent])")
+        printed = self.pages.json("evaluate", "demo", "--frames", "0:60", "other.csv")["raw_energies"]
+        self.assertEqual([energy for _, energy in shown], [f"{energy:.3f}" for energy in printed.values()])
+        self.browser.click(self.browser.find("#energies thead th:nth-child(3) button"))
+        self.assertEqual(self.browser.run("return [...document.querySelectorAll('#energies tbody tr')].map((row) => row.cells[2].textContent)"),
+                         sorted((energy for _, energy in shown), key=float))
+
+
+# Cells of a matrix: text and whether it is shaded.
+MATRIX = """
+const table = document.querySelectorAll(arguments[0] + " table")[arguments[1]];
+return [...table.tBodies[0].rows].map((row) => [...row.querySelectorAll("td")].slice(0, -1).map((cell) =>
+  [Number(cell.textContent), getComputedStyle(cell).backgroundColor !== "rgba(0, 0, 0, 0)"]));
+"""
+
+
+class Studies(Page):
+    # Every recording is counted once, what is counted is shaded, and the maker's own cell framed.
+    def expect_matrix(self, section, recordings, which=0):
+        rows = self.browser.run(MATRIX, section, which)
+        for row in rows:
+            self.assertEqual(sum(count for count, _ in row), recordings)
+            for count, shaded in row:
+                self.assertEqual(shaded, count > 0)
+        framed = self.browser.run("return [...document.querySelectorAll(arguments[0] + ' .own')].every((cell) => "
+                                  "getComputedStyle(cell).boxShadow !== 'none')", section)
+        self.assertTrue(framed)
+
+    def answer(self):
+        return self.browser.text(self.browser.find("h1"))
+
+    def test_recovery(self):
+        self.open("recover")
+        self.assertRegex(self.answer(), r"^The model that made the recording is ranked first in (all 4|\d of 4) recordings\.$")
+        self.expect_matrix("#confusion", 2)
+        self.assertIn("swarmfit recover --config config.toml --out NEW_FOLDER", self.browser.text(self.browser.find("#repeat")))
+        self.browser.run("for (const part of document.querySelectorAll('details')) part.open = true")
+        self.assertEqual(len(self.browser.find_all("#recordings tbody tr")), 4)
+        self.assertIn("χ_att", self.browser.text(self.browser.find("#planted")))
+
+    def test_parameter_recovery(self):
+        self.open("recover_parameters")
+        self.assertIn("brownian", self.answer())
+        parameters = len(self.browser.find_all("#coverage tbody tr"))
+        self.assertEqual(len(self.browser.find_all("#intervals svg.recovered")), parameters)
+        spans = self.browser.run("return [...document.querySelectorAll('svg.recovered')].map((drawing) => [...drawing.querySelectorAll("
+                                 "'.reach')].map((line) => line.getBoundingClientRect().height))")
+        for heights in spans:
+            self.assertEqual(len(heights), 3)
+            self.assertGreater(max(heights), 5)
+        painted = self.browser.run("return getComputedStyle(document.querySelector('svg.recovered .reach')).stroke")
+        self.assertNotEqual(painted, "none")
+
+    def test_power(self):
+        self.open("power")
+        self.assertTrue(self.answer().startswith("A recording like this one "))
+        self.expect_matrix("#matrices", 2)
+        pairs = "return [...document.querySelectorAll('#pairs tbody tr')].map((row) => row.cells[0].textContent)"
+        self.assertEqual(self.browser.run(pairs), ["bswarm", "boids"])
+        self.browser.click(self.browser.find("#pairs thead button"))
+        self.assertEqual(self.browser.run(pairs), ["boids", "bswarm"])
+
+    # Without a script all of it can be read.
+    def test_no_script_is_needed(self):
+        self.browser.devtools("Emulation.setScriptExecutionDisabled", value=True)
+        try:
+            self.open("power")
+            self.assertIn("bswarm", self.browser.text(self.browser.find("#pairs")))
+        finally:
+            self.browser.devtools("Emulation.setScriptExecutionDisabled", value=False)
+
+
 class Hostile(Page):
     # What was said is read, and is nothing but text: no element, no handler and no script more than on a page of harmless data.
     def expect_harmless(self, kind, like):
@@ -139,6 +233,10 @@ class Hostile(Page):
     def test_report(self):
         self.expect_harmless("hostile", "compare")
         self.expect_pictures(self.browser.run("return document.querySelectorAll('.canvas').length"), 3)
+
+    def test_recording_against_itself(self):
+        self.expect_harmless("hostile_pair", "evaluate")
+        self.expect_pictures(7, 2)
 
     def test_recording_by_itself(self):
         self.expect_harmless("hostile_recording", "describe")

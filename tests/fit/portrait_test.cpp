@@ -56,5 +56,31 @@ TEST(SceneTable, HasTheRowsThatTheSettingsUse) {
     }
 }
 
+// The second one's frames have other numbers, and its film plays beside the first one's all the same.
+TEST(Portrait, OfTwoBeginsBothTogether) {
+  const Tracks demo = demo_recording();
+  TrackColumns columns;
+  columns.names = demo.names();
+  columns.track.assign(demo.track().begin(), demo.track().end());
+  columns.pos = 2 * demo.pos();
+  for (const std::int64_t frame : demo.frame()) columns.frame.push_back(frame + 1000);
+  const Tracks other(columns, demo.meta());
+  const Evaluation e = evaluate(demo, other, Binning{});
+  const PairPortrait p = portrait(demo, other, e);
+  const Comparison& c = p.comparison;
+  EXPECT_EQ(c.command, "evaluate");
+  ASSERT_EQ(c.models.size(), 1U);
+  EXPECT_EQ(c.models[0].film.rows(), demo.rows());
+  EXPECT_EQ(c.models[0].film.frames().front().number, c.film.frames().front().number);
+  EXPECT_EQ(p.simulation.first_frame, c.data.first_frame + 1000);
+  EXPECT_NEAR(p.simulation.speed, 2 * c.data.speed, 1e-9 * c.data.speed);
+  for (std::size_t m = 0; m < kMetrics; ++m) {
+    EXPECT_EQ(c.models[0].raw_energies[m], e.raw_energies[m]) << m;
+    EXPECT_EQ(c.recording[m].histogram.samples, e.real_distribution[m].histogram.samples) << m;
+    EXPECT_EQ(c.axis_width[m], e.axis_width[m]) << m;
+    EXPECT_TRUE(c.defined[m]) << m;
+  }
+}
+
 }  // namespace
 }  // namespace swarmfit

@@ -45,7 +45,7 @@ TEST(ParameterRecoveryReport, CsvAndJson) {
 TEST(ParameterRecoveryReport, WritesARun) {
   const auto dir = std::filesystem::path(testing::TempDir()) / "parameter_recovery_report";
   std::filesystem::remove_all(dir);
-  write_parameter_recovery(dir.string(), sample(), {{"parameters", "true"}});
+  write_parameter_recovery(dir.string(), sample(), {{"parameters", "true"}}, "1.2.3");
   EXPECT_THAT(read_file((dir / "config.toml").string()), HasSubstr("[recover]\nparameters = true\n"));
   for (const char* file : {"tables/coverage.md", "tables/coverage.tex", "tables/cases.csv", "recovery.json"})
     EXPECT_TRUE(std::filesystem::exists(dir / file)) << file;

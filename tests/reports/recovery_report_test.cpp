@@ -54,7 +54,7 @@ TEST(RecoveryReport, JsonHoldsConditionsParametersAndCases) {
 TEST(RecoveryReport, WritesARunThatNamesItsConditions) {
   const auto dir = std::filesystem::path(testing::TempDir()) / "recovery_report";
   std::filesystem::remove_all(dir);
-  write_recovery(dir.string(), sample(), {{"agents", "10"}});
+  write_recovery(dir.string(), sample(), {{"agents", "10"}}, "1.2.3");
   EXPECT_THAT(read_file((dir / "config.toml").string()), HasSubstr("[recover]\nagents = 10\n"));
   EXPECT_THAT(read_file((dir / "tables/confusion.md").string()), HasSubstr("agents 10"));
   EXPECT_TRUE(std::filesystem::exists(dir / "tables/confusion.tex"));
