@@ -48,6 +48,18 @@ void add_max_time(CLI::App& app, double& seconds) {
       ->check(CLI::PositiveNumber);
 }
 
+void add_conditions(CLI::App& app, FitArguments& a) {
+  app.add_option("--presence", a.presence, "who is there when: recorded, or constant (everybody of the first frame, throughout)")
+      ->check(CLI::IsMember({"recorded", "constant"}))
+      ->capture_default_str();
+  app.add_option("--arena", a.arena, "open, box, sphere, or x0:x1,y0:y1[,z0:z1]")->capture_default_str();
+  app.add_option("--population", a.population,
+                 "how many individuals there were, where only part of the group was tracked: the rest is simulated unseen")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--obs-noise", a.observation_error,
+                 "localisation error put on simulated positions: estimate (default), or a value in length units");
+}
+
 void add_fit(CLI::App& app, FitArguments& a) {
   add_common(app, a.common);
   app.add_option("DATA", a.recordings, "recordings: files, - for standard input, or demo; several are compared one by one and summarised")
@@ -57,7 +69,8 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("-o,--out", a.out, "run directory; swarmfit-<name of the data> if not given");
   app.add_option("--protocol", a.protocol,
                  "default, or ren2016, the paper's literal choices: z-scores of each set by itself, no localisation error, all seven "
-                 "metrics, lag 1, the bare range for p2, searches under the last weights, up to ten passes; flags given beside it win")
+                 "metrics, lag 1, the bare range for p2, pooled simulations, searches under the last weights, up to ten passes; flags "
+                 "given beside it win")
       ->check(CLI::IsMember({"default", "ren2016"}))
       ->capture_default_str();
   app.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
@@ -75,15 +88,7 @@ void add_fit(CLI::App& app, FitArguments& a) {
   app.add_option("--set", a.set, "parameter=value, not searched; model.parameter=value for one model")->take_all();
   app.add_option("--fix", a.fix, "parameters to keep at their default")->delimiter(',')->take_all();
   app.add_option("--bounds", a.bounds, "parameter=lower:upper, searched in between")->take_all();
-  app.add_option("--presence", a.presence, "who is there when: recorded, or constant (everybody of the first frame, throughout)")
-      ->check(CLI::IsMember({"recorded", "constant"}))
-      ->capture_default_str();
-  app.add_option("--arena", a.arena, "open, box, sphere, or x0:x1,y0:y1[,z0:z1]")->capture_default_str();
-  app.add_option("--population", a.population,
-                 "how many individuals there were, where only part of the group was tracked: the rest is simulated unseen")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--obs-noise", a.observation_error,
-                 "localisation error put on simulated positions: estimate (default), or a value in length units");
+  add_conditions(app, a);
   app.add_option(
          "--error-limit", a.error_limit,
          "of a metric with a larger share of localisation error, differences that as much error again would make do not count in full "

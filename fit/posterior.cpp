@@ -13,15 +13,15 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kClip = 8;         // robust standard deviations at which features are cut off
-constexpr double kLocal = 0.5;      // share of the simulations, nearest first, from which statistics are learned once more
-constexpr double kMargin = 0.1;     // of the sample's range, added to it on either side for the next box
-constexpr int kFewest = 40;         // simulations per dimension below which nothing is said
-constexpr double kRescale = 1.0;    // largest change of a residual by the heteroscedastic correction, as a logarithm
+constexpr double kClip = 8;            // robust standard deviations at which features are cut off
+constexpr double kLocal = 0.5;         // share of the simulations, nearest first, from which statistics are learned once more
+constexpr double kMargin = 0.1;        // of the sample's range, added to it on either side for the next box
+constexpr int kFewest = 40;            // simulations per dimension below which nothing is said
+constexpr double kRescale = 1.0;       // largest change of a residual by the heteroscedastic correction, as a logarithm
 constexpr double kLeastMargin = 1e-6;  // of the prior's range
-constexpr double kSingular = 1e-9;  // added to diagonals
-constexpr double kFlat = 0.8;       // interval over the prior's from which on a coordinate is flat
-constexpr double kTouches = 0.05;   // of the interval's length: nearer to a bound, its end says nothing
+constexpr double kSingular = 1e-9;     // added to diagonals
+constexpr double kFlat = 0.8;          // interval over the prior's from which on a coordinate is flat
+constexpr double kTouches = 0.05;      // of the interval's length: nearer to a bound, its end says nothing
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -238,8 +238,8 @@ std::vector<double> coordinate(const Posterior& p, Index a) {
   return values;
 }
 
-// Generously round the sample: what is cut off here no later round can bring back. Never flat, though a recording may determine a coordinate
-// to the last digit.
+// Generously round the sample: what is cut off here no later round can bring back. Never flat, though a recording may determine a
+// coordinate to the last digit.
 Box around(const Posterior& p, const Box& before) {
   Box box = before;
   for (Index a = 0; a < box.lower.size(); ++a) {

@@ -256,8 +256,9 @@ Figure density_of(const Comparison& c, std::size_t m) {
   const std::string absent = too_many(c) + absences(c, d);
   double height = box.bottom() + 24;
   if (!absent.empty()) height = sheet.note(height + 8, std::string_view(absent).substr(1)) - 4;
-  const std::string caption = fmt::format("Probability density of the {}: the recording (grey) and the model{}, best first.{}{}",
-                                          column.name(), c.models.size() == 1 ? "" : "s", about_binning(c), about_band(c, {d}) + absent + limits(c, {d}));
+  const std::string caption =
+      fmt::format("Probability density of the {}: the recording (grey) and the model{}, best first.{}{}", column.name(),
+                  c.models.size() == 1 ? "" : "s", about_binning(c), about_band(c, {d}) + absent + limits(c, {d}));
   return {name, caption, sheet.document(height, "Density of the " + column.name(), caption)};
 }
 

@@ -16,7 +16,7 @@ Html legend(const Comparison&);       // check boxes of the charts
 Html pdf_figures(const Comparison&);  // an empty canvas per column
 Html pdf_note(const Comparison&);
 Html band_note(const Comparison&);  // nothing if there is no band
-Html moments(const Comparison&);  // mean and sd of every model against the recording
+Html moments(const Comparison&);    // mean and sd of every model against the recording
 Html weights(const Comparison&);
 Html lags(const Comparison&);  // which lag carried the decision
 Html weights_converged(const Comparison&);

@@ -28,7 +28,7 @@ class Panel {
  public:
   Panel(svg::Sheet& sheet, const svg::Box& box, Axis x, Axis y) : sheet_(sheet), box_(box), x_(std::move(x)), y_(std::move(y)) {}
 
-  void area(const Curve& curve);  // grey, down to the lower end; cut at the frame
+  void area(const Curve& curve);                                          // grey, down to the lower end; cut at the frame
   void band(const Curve& lower, const Curve& upper, std::size_t series);  // pale; between curves over the same x
   void curve(const Curve& curve, const svg::Stroke& stroke);
   void curve(const Curve& curve, std::size_t series, double width = 0.9);

@@ -155,6 +155,23 @@ TEST(Certainty, OwnEnergiesAreThoseOfTheNextRuns) {
   }
 }
 
+// Shares 1/40 .. 40/40 in the first bin: quantiles 2.5 % and 97.5 % are those of an even ladder.
+TEST(Certainty, BandHoldsTheMiddleOfTheRecordingsBinByBin) {
+  Scene s(3);
+  Law law;
+  for (std::uint64_t k = 1; k <= 40; ++k) {
+    law.push_back({PerColumn<Distribution>(kMetrics), false});
+    law.back().distributions[kSpeed].histogram = {{k, 40 - k}, 40, 0};
+  }
+  law.push_back({PerColumn<Distribution>(kMetrics), true});  // blew up
+  const Band band = band_of(law, s.target);
+  EXPECT_THAT(band.lower[kSpeed], testing::Pointwise(testing::DoubleNear(1e-12), {(1 + 0.025 * 39) / 40, 0.025 * 39 / 40}));
+  EXPECT_THAT(band.upper[kSpeed], testing::Pointwise(testing::DoubleNear(1e-12), {(1 + 0.975 * 39) / 40, 0.975 * 39 / 40}));
+  EXPECT_TRUE(band.lower[kDistance].empty());
+  law.resize(38);
+  EXPECT_TRUE(band_of(law, s.target).lower[kSpeed].empty());
+}
+
 TEST(Certainty, TooFewRecordingsTellNothing) {
   for (const int recordings : {0, kPooled + 1}) {
     Scene s(3);

@@ -75,16 +75,25 @@ TEST(Tables, DensityIntegratesToOne) {
 }
 
 TEST(Tables, PdfRowsCarryPhysicalBinCentres) {
-  const Comparison c = sample_comparison();
+  Comparison c = sample_comparison();
+  const std::size_t bins = c.recording[kSpeed].histogram.counts.size();
+  c.band.lower.assign(c.columns.size(), {});
+  c.band.upper = c.band.lower;
+  c.band.lower[kSpeed].assign(bins, 0.0);
+  c.band.upper[kSpeed].assign(bins, 0.49 * c.axis_width[kSpeed]);
   const auto rows = lines(table(c, "pdfs.csv"));
-  EXPECT_EQ(rows[0], "metric,unit,centre,recording,bswarm,bswarm[noise=perlin],bswarm[noise=gaussian],boids,bswarm[noise=white]");
+  EXPECT_EQ(rows[0],
+            "metric,unit,centre,recording,bswarm,bswarm[noise=perlin],bswarm[noise=gaussian],boids,bswarm[noise=white],band_lower,"
+            "band_upper");
   EXPECT_THAT(rows[1], StartsWith("v,mm/s,-272.1,"));  // 213 - 5*98 + 98/20
+  EXPECT_THAT(rows[1], testing::EndsWith(",0,0.49"));  // shares per unit
+  EXPECT_THAT(rows[1 + bins], testing::EndsWith(",,"));
 }
 
 TEST(Tables, ModelWithoutSamplesLeavesItsDensityEmpty) {
   Comparison c = sample_comparison();
   c.models[4].distributions[kSpeed] = {};
-  EXPECT_EQ(lines(table(c, "pdfs.csv"))[1].back(), ',');
+  EXPECT_THAT(lines(table(c, "pdfs.csv"))[1], testing::EndsWith(",,,"));  // nor is there a band
 }
 
 TEST(History, ParametersAreOneColumn) {
