@@ -51,24 +51,25 @@ Round ModelSearch::on_seeds(const CompareOptions& options, Stream stream, int re
 
 void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& on_search) {
   if (space_.dimensions() > 0) {
-    if (number == 1) {  // the table's defaults are in the recording's scales: the one candidate that is not a guess
+    std::int64_t done = 0;  // simulations of the rounds before
+    if (number == 1) {      // the table's defaults are in the recording's scales: the one candidate that is not a guess
       keep(search_, space_.start(), simulate(search_, {space_.start()}, space_, objective_).front(), number, "search");
       ++evaluations_;
-      scout_ahead(weighting, on_search);
+      done = scout_ahead(weighting, on_search);
     }
     const auto &wide = options_.budget.search, &narrow = options_.budget.selection;
     const auto before = evaluations_;
     const Found found = explore(search_, wide, number, "search", weighting, [&](const GenerationReport& report) {
       convergence_.push_back({number, before + report.evaluations, -report.best});
-      return on_search(report.evaluations * wide.replicates, -report.best);
+      return on_search(done + report.evaluations * wide.replicates, -report.best);
     });
     stop_reason_ = to_string(found.stop);
     convergence_.push_back({number, evaluations_, -leaders(search_, weighting, 1, 0.0).front().cost});
     promote(search_, selection_, static_cast<std::size_t>(narrow.population), kLeadersApart, number, "select", weighting);
     search_.suggested.clear();
-    const auto searched = candidates(wide, search_.stream, number) * wide.replicates;
+    done += candidates(wide, search_.stream, number) * wide.replicates;
     explore(selection_, narrow, number, "refine", weighting,
-            [&](const GenerationReport& report) { return on_search(searched + report.evaluations * narrow.replicates, -report.best); });
+            [&](const GenerationReport& report) { return on_search(done + report.evaluations * narrow.replicates, -report.best); });
     promote(selection_, confirmation_, kFinalists, kFinalistsApart, number, "confirm", weighting);
   } else if (confirmation_.archive.empty()) {
     keep(confirmation_, Point(), objective_.evaluate(space_.parameters(Point()), confirmation_.seeds), number, "confirm");
@@ -78,10 +79,10 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
   conclude(number, weighting);
 }
 
-void ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch& on_search) {
+std::int64_t ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch& on_search) {
   const ScoutSize& size = options_.budget.scout;
   const std::int64_t runs = std::int64_t{size.rounds} * size.simulations;
-  if (runs == 0 || (options_.max_evaluations > 0 && options_.max_evaluations < kScoutShare * runs)) return;
+  if (runs == 0 || (options_.max_evaluations > 0 && options_.max_evaluations < kScoutShare * runs)) return 0;
   const double best = -leaders(search_, weighting, 1, 0.0).front().cost;
   bool on = true;
   const auto points = scout(space_, objective_, conditions_, target_, rng_.derive(Stream::posterior, 0), size,
@@ -91,6 +92,7 @@ void ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch& on_sea
   for (std::size_t k = 0; k < points.size(); ++k) keep(search_, points[k], outcomes[k], 1, "search");
   evaluations_ += runs + static_cast<std::int64_t>(points.size());
   simulations_ += runs;
+  return runs;
 }
 
 void ModelSearch::suggest(const ModelSearch& other) {

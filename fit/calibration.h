@@ -43,7 +43,7 @@ class ModelSearch {
   std::span<const Rng> final_seeds() const { return final_seeds_; }
 
  private:
-  void scout_ahead(const Weighting& weighting, const OnSearch& on_search);
+  std::int64_t scout_ahead(const Weighting& weighting, const OnSearch& on_search);  // returns its simulations
   static Round on_seeds(const CompareOptions& options, Stream stream, int replicates);
   // The best of an archive under these weights, no two nearer than `apart` in the unit cube: by what a search minimises, or by the score.
   static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,

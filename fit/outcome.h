@@ -10,11 +10,12 @@ namespace swarmfit {
 
 // One candidate over its replicates.
 struct Outcome {
-  Energies raw;                      // energy score, or of the pooled replicates (Binning::pooled); a replicate that blew up counts with
-                                     // the worst energy; NaN: undefined in the recording
-  Energies guided;                   // raw, and a little more the farther off the means are: what a search minimises
-  Energies first;                    // guided energies of the first replicates alone, where a race asked for them
-  std::vector<Energies> replicates;  // of each replicate: EnergyScore::runs, or alone
+  // Energy score, or energy of the pooled replicates (Binning::pooled). Replicates that blew up count with the worst energy; NaN: undefined
+  // in the recording.
+  Energies raw;
+  Energies guided;                        // raw, and a little more the farther off the means are: what a search minimises
+  Energies first;                         // guided energies of the first replicates alone, where a race asked for them
+  std::vector<Energies> replicates;       // of each replicate: EnergyScore::runs, or alone
   PerColumn<Distribution> distributions;  // pooled replicates
   int failed = 0;                         // replicates that blew up
   Counters count;                         // summed
