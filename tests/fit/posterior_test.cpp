@@ -449,14 +449,12 @@ TEST(ParameterPosterior, NamesWhatItSearchedInPhysicalUnits) {
   EXPECT_GT(all[0].parameters[2].contraction, 0.9) << "what accelerations are made of is told by any recording";
 }
 
-// As the speed of a model in which all fly equally fast: found to the last digit, and no box of later rounds is flat.
+// As the speed of a model in which all fly equally fast: boxes shrink to it, but never to nothing.
 TEST(Posterior, ACoordinateThatIsReadOffExactlyStaysFinite) {
-  const Simulator simulate = [](const Point& x, const Rng& rng) -> std::optional<VectorXd> {
-    return VectorXd{{x[0], x[1] + 0.1 * normal(rng, 0)}};
-  };
-  const Posterior found = posterior(VectorXd{{0.37, 0.99}}, 2, simulate, {3}, {5, 160});
+  const Simulator simulate = [](const Point& x, const Rng&) -> std::optional<VectorXd> { return VectorXd{{x[0] - 0.37}}; };
+  const Posterior found = posterior(VectorXd{{0.0}}, 1, simulate, {3}, {40, 60});
   ASSERT_FALSE(found.sample.empty());
-  for (const Point& x : found.sample) EXPECT_TRUE((x.array() >= 0).all() && (x.array() <= 1).all()) << x.transpose();
+  for (const Point& x : found.sample) EXPECT_TRUE(x[0] >= 0 && x[0] <= 1) << x[0];
   EXPECT_NEAR(found.marginals[0].median, 0.37, 1e-5);
   EXPECT_EQ(found.marginals[0].verdict, Identifiability::identified);
 }

@@ -69,10 +69,11 @@ TEST(Scout, SameBitsForAnyNumberOfThreads) {
   }
 }
 
+// In the fourth round, when there is a sample already.
 TEST(Scout, EndsWhenToldTo) {
   std::int64_t told = 0;
-  EXPECT_TRUE(Scene("brownian", 1).points({2, 100}, [&](std::int64_t done) { return told = done, done < 7; }).empty());
-  EXPECT_EQ(told, 7);
+  EXPECT_TRUE(Scene("brownian", 1).points({4, 100}, [&](std::int64_t done) { return told = done, done < 350; }).empty());
+  EXPECT_EQ(told, 350);
 }
 
 }  // namespace
