@@ -15,7 +15,7 @@ int weigh(const WeighArguments&);
 int simulate(const SimulateArguments&);
 int fit(const FitArguments&);      // exactly one model
 int compare(const FitArguments&);  // two or more
-// "fit" or "compare": which command left this unfinished run? Throws InputError if there is nothing to go on with.
+// "fit", "compare", "recover" or "power": which command left this unfinished run? Throws InputError if there is nothing to go on with.
 std::string command_of_run(const std::string& dir);
 int report(const ReportArguments&);  // the files of a run in a paper's formats
 int recover(const RecoverArguments&);

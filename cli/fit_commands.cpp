@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
+#include "cli/checkpoints.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
@@ -46,20 +48,6 @@ void write_timing(const std::string& dir, double seconds, const Comparison& resu
                   seconds, omp_get_max_threads(), simulations, static_cast<double>(simulations) / seconds));
 }
 
-std::string checkpoint_of(const std::string& dir) { return dir + "/checkpoint"; }
-
-// A recording whose turn had not come has no checkpoint to take up.
-Journal journal_of(const FitArguments& a, const std::string& dir, const RunIdentity& run) {
-  const std::string path = checkpoint_of(dir);
-  if (!a.resume || !std::filesystem::exists(path)) return {path, run, [dir, text = run.config] { begin_run(dir, text); }};
-  return {path, run};
-}
-
-void remove_checkpoint(const std::string& dir) {
-  std::error_code not_there;
-  std::filesystem::remove(checkpoint_of(dir), not_there);
-}
-
 // Compares on one recording and writes its run directory. The checkpoint stays: the caller removes it when all is done.
 Comparison run_one(const FitArguments& a, CompareOptions options, const Tracks& recording, const std::string& path,
                    const std::string& dir) {
@@ -70,7 +58,9 @@ Comparison run_one(const FitArguments& a, CompareOptions options, const Tracks& 
   alone.lags = lags_text(options.lags);  // as chosen
   const Settings config = resolved(alone, options.models);
   const auto text = config_toml(options.models.size() > 1 ? "compare" : "fit", config);
-  Journal journal = journal_of(a, dir, {kVersion, recording.meta().from.sha256, text});
+  // Of several recordings, one whose turn had not come has no checkpoint to take up.
+  Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, text}, a.resume);
+  Journal journal(checkpoint);
   ProgressLine line(a.common.quiet);
   const OnCompareProgress on_progress = [&line](const CompareProgress& now) {
     line.show(now);
@@ -133,8 +123,7 @@ int run(const FitArguments& a, const CompareOptions& options) {
     say_where(a, dir);
     return 0;
   } catch (const Interrupted&) {
-    std::fprintf(stderr, "swarmfit: stopped before the end; to go on: swarmfit resume %s\n", dir.c_str());
-    return kInterrupted;
+    return stopped_before_the_end(dir);
   }
 }
 
@@ -142,8 +131,9 @@ int run(const FitArguments& a, const CompareOptions& options) {
 
 std::string command_of_run(const std::string& dir) {
   std::string command = unfinished_run(dir);
-  if (command != "fit" && command != "compare")
-    throw InputError(fmt::format("{}: a run of swarmfit {}; expected one of fit or compare", dir, command));
+  constexpr std::array kGoOn = {"fit", "compare", "recover", "power"};
+  if (std::find(kGoOn.begin(), kGoOn.end(), command) == kGoOn.end())
+    throw InputError(fmt::format("{}: a run of swarmfit {}; expected one of fit, compare, recover or power", dir, command));
   return command;
 }
 

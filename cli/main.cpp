@@ -249,7 +249,7 @@ struct Program {
   }
 
   void add_resume() {
-    auto& sub = command("resume", "go on with an interrupted fit or compare; same final bits", [this] { return resume_run(resume); });
+    auto& sub = command("resume", "go on with an interrupted fit, compare, recover or power; same final bits", [this] { return resume_run(resume); });
     sub.add_option("RUN_DIR", resume.dir, "its run directory, started from the folder in which the run was started")->required();
     sub.add_option("--threads", resume.threads, "threads to use, 0 for all cores; never changes a result")->check(CLI::NonNegativeNumber);
     add_max_time(sub, resume.max_time);
@@ -309,6 +309,7 @@ struct Program {
     sub.add_option("--protocol", a.protocol, "as in compare")->check(CLI::IsMember({"default", "ren2016"}))->capture_default_str();
     sub.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
     sub.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);
+    add_max_time(sub, a.max_time);
     sub.add_option("-o,--out", a.out, "run directory, with report.html to look at; swarmfit-recovery if not given");
   }
 
@@ -344,13 +345,17 @@ int resume_run(const ResumeArguments& a) {
   } catch (const CLI::ParseError& e) {
     throw InputError(config + ": " + e.what());
   }
-  auto& fit = command == "fit" ? program.fit : program.compare;
-  fit.resume = true;
-  fit.common.threads = a.threads;
-  fit.max_time = a.max_time;
-  fit.common.json = a.json;
-  fit.common.quiet = a.quiet;
-  return program.chosen();
+  const auto go_on = [&](auto& run) {
+    run.resume = true;
+    run.max_time = a.max_time;
+    run.common.threads = a.threads;
+    run.common.json = a.json;
+    run.common.quiet = a.quiet;
+    return program.chosen();
+  };
+  if (command == "recover") return go_on(program.recover);
+  if (command == "power") return go_on(program.power.fit);
+  return go_on(command == "fit" ? program.fit : program.compare);
 }
 
 // The command as it was given, fit to be pasted into a shell.

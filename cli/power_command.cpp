@@ -4,8 +4,10 @@
 
 #include <cstdio>
 
+#include "cli/checkpoints.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/progress.h"
 #include "cli/settings.h"
 #include "cli/style.h"
 #include "cli/version.h"
@@ -23,20 +25,29 @@ int power(const PowerArguments& given) {
     throw InputError("power: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
   const std::string dir = a.out.empty() ? "swarmfit-power" : a.out;
   check_run_directory(dir);
-  Power result;
-  try {
-    result = swarmfit::power(load(a.data, a.recordings.front()), options, [&](std::size_t done, std::size_t all) {
-      if (!a.common.quiet && done > 0) std::fprintf(stderr, "comparison %zu of %zu done\n", done, all);
-      return !interrupted();
-    });
-  } catch (const Interrupted&) {
-    std::fprintf(stderr, "swarmfit: interrupted; nothing was written\n");
-    return kInterrupted;
-  }
-  result.fitted.version = kVersion;
+  if (a.max_time > 0) stop_after(a.max_time);
   Settings settings = resolved(a, options.compare.models);
   settings.emplace_back("seeds", std::to_string(given.seeds));
+  const Tracks recording = load(a.data, a.recordings.front());
+  Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, config_toml("power", settings)}, a.resume);
+  Power result;
+  try {
+    StudyProgress progress(a.common.quiet, 1 + options.compare.models.size() * static_cast<std::size_t>(given.seeds));
+    const auto on_power = [&](std::size_t done, std::size_t) {
+      if (done > 0) progress.done(done == 1 ? "models fitted to the recording" : "a planted recording compared");
+      return !interrupted();
+    };
+    const auto on_progress = [&](const CompareProgress& now) {
+      progress.show(now);
+      return !interrupted();
+    };
+    result = swarmfit::power(recording, options, on_power, {on_progress, &checkpoint});
+  } catch (const Interrupted&) {
+    return stopped_before_the_end(dir);
+  }
+  result.fitted.version = kVersion;
   write_power(dir, result, settings);
+  remove_checkpoint(dir);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : power_text(result, style()).c_str(), stdout);
   return 0;
 }

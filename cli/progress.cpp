@@ -15,14 +15,17 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool quiet)
+ProgressLine::ProgressLine(bool quiet, bool phases_in_pipe)
     : quiet_(quiet),
       terminal_(isatty(STDERR_FILENO) != 0),
+      phases_in_pipe_(phases_in_pipe),
       start_(std::chrono::steady_clock::now()),
       last_(start_ - kRefresh),
       last_in_phase_(start_) {}
 
-ProgressLine::~ProgressLine() {
+ProgressLine::~ProgressLine() { wipe(); }
+
+void ProgressLine::wipe() {
   if (!quiet_ && terminal_ && !phase_.empty()) std::fputs("\r\033[K", stderr);
 }
 
@@ -34,20 +37,47 @@ std::string ProgressLine::text(const CompareProgress& now) const {
                      now.passes, now.model, now.index + 1, now.models, now.simulations, now.planned, rate, left, now.best);
 }
 
-void ProgressLine::show(const CompareProgress& now) {
+void ProgressLine::show(const CompareProgress& now, const std::string& before) {
   if (quiet_) return;
   const auto time = std::chrono::steady_clock::now();
   const std::string phase = fmt::format("pass {}: {} ({} of {})", now.pass, now.model, now.index + 1, now.models);
   if (phase != phase_) {
     phase_ = phase;
     start_ = last_in_phase_;
-    if (!terminal_) std::fprintf(stderr, "%s\n", phase.c_str());
+    if (!terminal_ && phases_in_pipe_) std::fprintf(stderr, "%s\n", phase.c_str());
   }
   last_in_phase_ = time;
   if (!terminal_ || time - last_ < kRefresh) return;
   last_ = time;
-  std::fprintf(stderr, "\r\033[K%s", text(now).c_str());
+  std::fprintf(stderr, "\r\033[K%s%s", before.c_str(), text(now).c_str());
   std::fflush(stderr);
+}
+
+StudyProgress::StudyProgress(bool quiet, std::size_t all)
+    : quiet_(quiet), all_(all), last_(std::chrono::steady_clock::now()), line_(quiet, false) {}
+
+std::string StudyProgress::before() const {
+  std::string out = fmt::format("comparison {} of {}", done_ + 1, all_);
+  if (computed_ > 0)
+    out += fmt::format(", about {:.0f} min left", seconds(spent_) / 60 * static_cast<double>(all_ - done_) / static_cast<double>(computed_));
+  return out + ": ";
+}
+
+void StudyProgress::show(const CompareProgress& now) {
+  computing_ = true;
+  line_.show(now, before());
+}
+
+void StudyProgress::done(const std::string& what) {
+  const auto now = std::chrono::steady_clock::now();
+  if (computing_) {
+    spent_ += now - last_;
+    ++computed_;
+  }
+  computing_ = false;
+  last_ = now;
+  line_.wipe();
+  if (!quiet_) std::fprintf(stderr, "%zu/%zu: %s\n", ++done_, all_, what.c_str());
 }
 
 }  // namespace swarmfit::cli

@@ -6,8 +6,10 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/checkpoints.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/progress.h"
 #include "cli/settings.h"
 #include "cli/style.h"
 #include "cli/version.h"
@@ -90,27 +92,30 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   return s;
 }
 
-int recover_models_of(const RecoverArguments& a, const RecoveryOptions& options, const std::string& dir) {
+int recover_models_of(const RecoverArguments& a, const RecoveryOptions& options, const std::string& dir, Checkpoint& checkpoint) {
   const auto total = options.planted.size() * static_cast<std::size_t>(options.seeds);
-  std::size_t done = 0;
-  const Recovery result = recover_models(options, [&](const RecoveryCase& c) {
-    ++done;
-    if (!a.common.quiet)
-      std::fprintf(stderr, "%zu/%zu: %s, seed %llu: %s first\n", done, total, options.planted[c.planted].name.c_str(),
-                   static_cast<unsigned long long>(c.seed), c.order.front().c_str());
+  StudyProgress progress(a.common.quiet, total);
+  const auto on_case = [&](const RecoveryCase& c) {
+    progress.done(fmt::format("{}, seed {}: {} first", options.planted[c.planted].name, c.seed, c.order.front()));
     return !interrupted();
-  });
+  };
+  const auto on_progress = [&](const CompareProgress& now) {
+    progress.show(now);
+    return !interrupted();
+  };
+  const Recovery result = recover_models(options, on_case, {on_progress, &checkpoint});
   const Settings settings = resolved(a, options);
   write_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : recovery_text(result, style()).c_str(), stdout);
   return 0;
 }
 
-int recover_parameters_of(const RecoverArguments& a, const RecoveryOptions& options, const std::string& dir) {
-  const ParameterRecovery result = recover_parameters(options, [&](std::size_t done) {
+int recover_parameters_of(const RecoverArguments& a, const RecoveryOptions& options, const std::string& dir, Checkpoint& checkpoint) {
+  const auto on_case = [&](std::size_t done) {
     if (!a.common.quiet) std::fprintf(stderr, "%zu/%d\n", done, options.seeds);
     return !interrupted();
-  });
+  };
+  const ParameterRecovery result = recover_parameters(options, on_case, &checkpoint);
   const Settings settings = resolved(a, options);
   write_parameter_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : parameter_recovery_text(result, style()).c_str(), stdout);
@@ -124,11 +129,14 @@ int recover(const RecoverArguments& a) {
   const RecoveryOptions options = recovery_options(a);
   const std::string dir = a.out.empty() ? "swarmfit-recovery" : a.out;
   check_run_directory(dir);
+  if (a.max_time > 0) stop_after(a.max_time);
+  Checkpoint checkpoint = checkpoint_in(dir, {kVersion, "", config_toml("recover", resolved(a, options))}, a.resume);
   try {
-    return a.parameters ? recover_parameters_of(a, options, dir) : recover_models_of(a, options, dir);
+    const int code = a.parameters ? recover_parameters_of(a, options, dir, checkpoint) : recover_models_of(a, options, dir, checkpoint);
+    remove_checkpoint(dir);
+    return code;
   } catch (const Interrupted&) {
-    std::fprintf(stderr, "swarmfit: interrupted; nothing was written\n");
-    return kInterrupted;
+    return stopped_before_the_end(dir);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "fit/across.h"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <set>
 
@@ -67,7 +68,30 @@ void summarise_weights(Across& a) {
   }
 }
 
+// The first has no lead over itself.
+void fill_leads(std::vector<ModelAcross>& models) {
+  for (std::size_t m = 1; m < models.size(); ++m) {
+    std::vector<double> leads;
+    for (std::size_t k = 0; k < models[m].score.size(); ++k) leads.push_back(models.front().score[k] - models[m].score[k]);
+    models[m].lead = mean_over_recordings(leads, kAlpha / static_cast<double>(models.size() - 1));
+  }
+}
+
 }  // namespace
+
+MeanOverRecordings mean_over_recordings(std::span<const double> values, double alpha) {
+  Moments moments;
+  for (const double value : values)
+    if (std::isfinite(value)) moments.add(value);
+  if (moments.count == 0) return {};
+  MeanOverRecordings out{moments.mean};
+  if (moments.count < 2) return out;
+  const auto n = static_cast<double>(moments.count);
+  const double t = boost::math::quantile(boost::math::students_t(n - 1), 1 - alpha / 2), half = t * std::sqrt(moments.m2 / (n - 1) / n);
+  out.lower = out.mean - half;
+  out.upper = out.mean + half;
+  return out;
+}
 
 Across across(std::span<const Comparison> comparisons) {
   Across out;
@@ -84,6 +108,7 @@ Across across(std::span<const Comparison> comparisons) {
     if (last(a.mean_rank) != last(b.mean_rank)) return last(a.mean_rank) < last(b.mean_rank);
     return a.mean_score > b.mean_score;
   });
+  fill_leads(out.models);
   return out;
 }
 

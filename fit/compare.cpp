@@ -185,7 +185,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.laws = options.laws;
   result.band = band_of(laws.of.front(), target);
   fill_certainty(result.models, laws, target, calibration.weighting(), options.budget.final_replicates);
-  if (options.hold_out) fill_held_out(result, parts, options, conditions.metrics.lags, calibration.weighting());
+  if (options.hold_out) fill_held_out(result, parts, options, conditions, calibration.weighting());
   judge.tell(result);
   result.weights = per_column(calibration.weighting().weights);
   result.p1 = per_column(calibration.weighting().p1);

@@ -162,4 +162,14 @@ Conditions make_conditions(const Tracks& recording, const ConditionOptions& opti
   return c;
 }
 
+Conditions held_out_conditions(const Tracks& held_out, const Conditions& fitted) {
+  Conditions c = make_conditions(held_out, fitted.options);
+  c.scales = fitted.scales;
+  c.localisation = fitted.localisation;
+  c.sigma = fitted.sigma;
+  c.metrics = fitted.metrics;
+  c.reference = std::make_shared<const Tracks>(fitted.recording);
+  return c;
+}
+
 }  // namespace swarmfit

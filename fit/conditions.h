@@ -2,7 +2,7 @@
 // The recording's own conditions, under which every candidate is simulated: who was there when, where, and how well the camera saw it.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "libeval/localisation.h"
@@ -37,10 +37,16 @@ struct Conditions {
   MetricOptions metrics;                          // how both sides are measured
   std::int64_t first_frame = 0, frames = 0;
   int unseen = 0;  // simulated individuals that the camera does not see
+  // Of what models are told (Setup::reference), such as where the swarm stays; null: of the recording that is compared.
+  std::shared_ptr<const Tracks> reference;
 };
 
 // Throws InputError where the recording cannot carry a fit: no motion, one individual only, an arena that excludes recorded positions.
 Conditions make_conditions(const Tracks& recording, const ConditionOptions& options);
+
+// Those of a part that was not fitted. Who is there, and where and how fast they enter, is its own; scales, localisation error, lags and what
+// models are told of the recording were learned from the part that was: they may not know the answer.
+Conditions held_out_conditions(const Tracks& held_out, const Conditions& fitted);
 
 // L, NND and V of a recording; NND is 0 when no frame has two individuals.
 Scales natural_scales(const Tracks& recording);

@@ -32,13 +32,12 @@ Halves halves(const Tracks& recording) {
   return {cut(recording, first, first + half), cut(recording, first + frames - half, first + frames)};
 }
 
-void fill_held_out(Comparison& result, const Halves& halves, const CompareOptions& options, const std::vector<int>& lags,
+void fill_held_out(Comparison& result, const Halves& halves, const CompareOptions& options, const Conditions& fitted,
                    const Weighting& weighting) {
   std::vector<FitResult>& models = result.models;
   result.hold_out = {true, halves.fitted.frames().front().number, halves.fitted.frames().back().number,
                      halves.held_out.frames().front().number, halves.held_out.frames().back().number};
-  Conditions conditions = make_conditions(halves.held_out, options.conditions);
-  conditions.metrics.lags = lags;
+  const Conditions conditions = held_out_conditions(halves.held_out, fitted);
   const Target target(metric_samples(conditions.recording, conditions.metrics), options.binning);
   const auto seeds = replicate_seeds({options.seed}, Stream::final_seeds, options.budget.final_replicates);
   std::vector<FitResult> there(models.size());

@@ -16,9 +16,9 @@ struct Halves {
 // Throws InputError if the recording has fewer than 64 frames besides what is left out.
 Halves halves(const Tracks& recording);
 
-// Scores the ranked models of a comparison of the first half on the second: FitResult::held_out. Lags and weighting are those of the
-// comparison.
-void fill_held_out(Comparison& result, const Halves& halves, const CompareOptions& options, const std::vector<int>& lags,
+// Scores the ranked models of a comparison of the first half on the second, under held_out_conditions(): FitResult::held_out. `fitted` and
+// the weighting are those of the comparison.
+void fill_held_out(Comparison& result, const Halves& halves, const CompareOptions& options, const Conditions& fitted,
                    const Weighting& weighting);
 
 }  // namespace swarmfit

@@ -40,7 +40,8 @@ struct Objective::Trial {
 Objective::Objective(const ModelChoice& model, const Conditions& conditions, const Target& target, Journal* journal)
     : conditions_(conditions), target_(target), journal_(journal), name_(model.name) {
   const Tracks& recording = conditions.recording;
-  model_ = model.spec->make({recording.dims(), model.options, conditions.scales, &recording});
+  const Tracks* reference = conditions.reference ? conditions.reference.get() : &recording;
+  model_ = model.spec->make({recording.dims(), model.options, conditions.scales, reference});
   plan_.frame_dt = recording.dt();
   const Scales& own = conditions.options.step_scales;
   plan_.substeps = swarmfit::substeps(*model.spec, own.speed > 0 ? own : conditions.scales, recording.dt());

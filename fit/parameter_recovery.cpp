@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/parameter_recovery.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include <tuple>
 
 #include "fit/facts.h"
+#include "fit/kept.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -74,6 +77,38 @@ ParameterCoverage coverage(const std::vector<ParameterCase>& cases, std::size_t 
 
 }  // namespace
 
+void put(std::string& to, const ParameterCase& one) {
+  put(to, one.seed);
+  put(to, one.truth);
+  put(to, static_cast<std::uint32_t>(one.found.size()));
+  for (const ParameterInterval& p : one.found) {
+    put(to, p.row);
+    put(to, p.name);
+    for (const double value : {p.median, p.lower, p.upper, p.contraction, p.correlation}) put(to, value);
+    put(to, p.verdict);
+    put(to, p.partner);
+  }
+  put(to, one.truth_place);
+  put(to, one.median_place);
+  put(to, one.width);
+}
+
+void take(Taker& from, ParameterCase& one) {
+  from.take(one.seed);
+  from.take(one.truth);
+  for (auto count = from.take<std::uint32_t>(); count > 0 && from.whole(); --count) {
+    ParameterInterval& p = one.found.emplace_back();
+    from.take(p.row);
+    from.take(p.name);
+    for (double* value : {&p.median, &p.lower, &p.upper, &p.contraction, &p.correlation}) from.take(*value);
+    from.take(p.verdict);
+    from.take(p.partner);
+  }
+  from.take(one.truth_place);
+  from.take(one.median_place);
+  from.take(one.width);
+}
+
 std::pair<int, int> coverage_band(int n, int tests) {
   using Upwards = boost::math::policies::policy<boost::math::policies::discrete_quantile<boost::math::policies::integer_round_up>>;
   const boost::math::binomial_distribution<double, Upwards> law(n, 0.95);
@@ -81,7 +116,7 @@ std::pair<int, int> coverage_band(int n, int tests) {
   return {static_cast<int>(quantile(law, tail)), static_cast<int>(quantile(law, 1 - tail))};
 }
 
-ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case) {
+ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case, Checkpoint* checkpoint) {
   const ModelChoice& model = options.planted.front();
   const CompareOptions compare = with_shared_constants(options.compare, options.scales);
   const SearchSpace prior(model, options.scales, compare.requests);
@@ -90,7 +125,8 @@ ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnPar
     Point x(prior.dimensions());
     for (Eigen::Index a = 0; a < x.size(); ++a)
       x[a] = 0.5 + kMiddle * (Rng{seed}.uniform(Stream::probe, 0, static_cast<std::uint32_t>(a)) - 0.5);
-    if (auto one = one_case(options, compare, prior.parameters(x), seed))
+    if (auto one = kept<ParameterCase>(checkpoint, fmt::format("case {}", seed),
+                                       [&] { return one_case(options, compare, prior.parameters(x), seed); }))
       out.cases.push_back(std::move(*one));
     else if (++out.left_out > kMostTries * options.seeds)
       break;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/kept.h"
 #include "fit/objective.h"
 #include "libeval/lags.h"
 
@@ -61,7 +62,7 @@ std::vector<PowerPair> power_pairs(const Recovery& recovery) {
   return out;
 }
 
-Power power(const Tracks& recording, const PowerOptions& options, const OnPower& on_power) {
+Power power(const Tracks& recording, const PowerOptions& options, const OnPower& on_power, const StudyHooks& hooks) {
   const std::size_t all = 1 + options.compare.models.size() * static_cast<std::size_t>(options.seeds);
   std::size_t done = 0;
   const auto tell = [&] {
@@ -69,7 +70,9 @@ Power power(const Tracks& recording, const PowerOptions& options, const OnPower&
   };
   tell();
   Power out;
-  out.fitted = compare(recording, options.compare);
+  std::optional<Journal> journal;
+  if (hooks.checkpoint) journal.emplace(*hooks.checkpoint);
+  out.fitted = compare(recording, options.compare, hooks.on_progress, journal ? &*journal : nullptr);
   const Comparison& fitted = out.fitted;
   tell();
   ConditionOptions as_filmed = options.compare.conditions;
@@ -87,8 +90,12 @@ Power power(const Tracks& recording, const PowerOptions& options, const OnPower&
     out.recovery.confusion.emplace_back(options.compare.models.size(), 0);
     for (int k = 1; k <= options.seeds; ++k) {
       again.seed = options.compare.seed + static_cast<std::uint64_t>(k);
-      if (const auto film = objective.finished(parameters, Rng{again.seed}.derive(Stream::law, m)))
-        add_case(out.recovery, recovery_case(m, model.name, again.seed, parameters, compare(*film, again)));
+      auto one = kept<RecoveryCase>(hooks.checkpoint, fmt::format("case {} {}", model.name, again.seed), [&] {
+        const auto film = objective.finished(parameters, Rng{again.seed}.derive(Stream::law, m));
+        return film ? std::optional(recovery_case(m, model.name, again.seed, parameters, compare(*film, again, hooks.on_progress)))
+                    : std::nullopt;
+      });
+      if (one) add_case(out.recovery, std::move(*one));
       tell();
     }
   }

@@ -37,7 +37,7 @@ using OnPower = std::function<bool(std::size_t done, std::size_t all)>;
 // Fits every model to the recording, lets each make recordings with these parameters under the recording's own conditions (frames,
 // individuals, gaps, localisation error, start), and compares all models on each. Parameters that are not fitted, and time steps, are those
 // of the recording throughout. Throws as compare.
-Power power(const Tracks& recording, const PowerOptions& options, const OnPower& on_power = {});
+Power power(const Tracks& recording, const PowerOptions& options, const OnPower& on_power = {}, const StudyHooks& hooks = {});
 
 // The pairs of a recovery.
 std::vector<PowerPair> power_pairs(const Recovery& recovery);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/kept.h"
 #include "libswarm/simulate.h"
 #include "libtrack/error.h"
 
@@ -28,6 +29,30 @@ RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::ui
     if (fit.model == name) out.rank_of_planted = fit.rank;
   }
   return out;
+}
+
+void put(std::string& to, const RecoveryCase& one) {
+  put(to, one.planted);
+  put(to, one.seed);
+  put(to, one.parameters);
+  put(to, one.order);
+  put(to, one.scores);
+  put(to, one.score_se);
+  put(to, one.group);
+  put(to, one.goodness_p);
+  put(to, one.rank_of_planted);
+}
+
+void take(Taker& from, RecoveryCase& one) {
+  from.take(one.planted);
+  from.take(one.seed);
+  from.take(one.parameters);
+  from.take(one.order);
+  from.take(one.scores);
+  from.take(one.score_se);
+  from.take(one.group);
+  from.take(one.goodness_p);
+  from.take(one.rank_of_planted);
 }
 
 void add_case(Recovery& recovery, RecoveryCase one) {
@@ -83,7 +108,7 @@ CompareOptions with_shared_constants(CompareOptions compare, const Scales& scale
   return compare;
 }
 
-Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case) {
+Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case, const StudyHooks& hooks) {
   CompareOptions compare_options = with_shared_constants(options.compare, options.scales);
   Recovery out;
   for (const auto& model : options.compare.models) out.compared.push_back(model.name);
@@ -99,9 +124,11 @@ Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on
     for (int k = 1; k <= options.seeds; ++k) {
       const auto seed = static_cast<std::uint64_t>(k);
       compare_options.seed = seed;
-      const auto parameters = varied(model, out.parameters.back(), options.scales, options.spread, seed, set);
-      const Tracks recording = planted_recording(model, parameters, options.film, options.scales, seed);
-      add_case(out, recovery_case(p, model.name, seed, parameters, compare(recording, compare_options)));
+      add_case(out, *kept<RecoveryCase>(hooks.checkpoint, fmt::format("case {} {}", model.name, seed), [&] {
+        const auto parameters = varied(model, out.parameters.back(), options.scales, options.spread, seed, set);
+        const Tracks recording = planted_recording(model, parameters, options.film, options.scales, seed);
+        return std::optional(recovery_case(p, model.name, seed, parameters, compare(recording, compare_options, hooks.on_progress)));
+      }));
       if (on_case && !on_case(out.cases.back())) throw Interrupted{};
     }
   }

@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "fit/checkpoint.h"
 #include "fit/compare.h"
 #include "fit/plant.h"
 
 namespace swarmfit {
+
+class Taker;
 
 struct RecoveryOptions {
   std::vector<ModelChoice> planted;  // models that make recordings; compare.models must hold them, and may hold more
@@ -62,11 +65,21 @@ CompareOptions with_shared_constants(CompareOptions compare, const Scales& scale
 RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::uint64_t seed, std::vector<double> parameters,
                            const Comparison& result);
 
+// A case as bytes (fit/kept.h).
+void put(std::string& to, const RecoveryCase& one);
+void take(Taker& from, RecoveryCase& one);
+
 // Appends a case and counts its winner.
 void add_case(Recovery& recovery, RecoveryCase one);
 
-// Called after every case; returning false interrupts (Interrupted is thrown).
+// How a study of many comparisons is watched, and where it finds and keeps those that are done.
+struct StudyHooks {
+  OnCompareProgress on_progress{};  // of the comparison it is at
+  Checkpoint* checkpoint = nullptr;
+};
+
+// Called after every case, from the checkpoint or not; returning false interrupts (Interrupted is thrown).
 using OnRecoveryCase = std::function<bool(const RecoveryCase&)>;
-Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case = {});
+Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case = {}, const StudyHooks& hooks = {});
 
 }  // namespace swarmfit

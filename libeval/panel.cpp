@@ -32,6 +32,7 @@ struct Sums {
   double spread_rows = 0, spread_free = 0;  // rows behind the scatter, and less one per frame
   double polarisation = 0, polarised = 0;
   double nearest = 0, spacing = 0;  // sum of distances, sum of n^(-1/dims) over the same rows
+  double group_msd = 0, group_msd_n = 0;
   Eigen::ArrayXd vacf, vacf_n, msd, msd_n;
 
   explicit Sums(const PanelPlan& plan)
@@ -54,6 +55,7 @@ void Sums::add(const Sums& o, double sign) {
   spread_rows += sign * o.spread_rows, spread_free += sign * o.spread_free;
   polarisation += sign * o.polarisation, polarised += sign * o.polarised;
   nearest += sign * o.nearest, spacing += sign * o.spacing;
+  group_msd += sign * o.group_msd, group_msd_n += sign * o.group_msd_n;
   vacf += sign * o.vacf, vacf_n += sign * o.vacf_n, msd += sign * o.msd, msd_n += sign * o.msd_n;
 }
 
@@ -122,6 +124,7 @@ class Accumulator {
   // Velocity autocorrelation and squared displacement, of each unbroken run.
   void correlations() {
     const auto path = group_path(tracks_);
+    drift(path);
     std::vector<Eigen::Array3d> r, v;
     for_each_segment(tracks_, 2, [&](std::span<const Index> rows) {
       r.clear(), v.clear();
@@ -138,6 +141,17 @@ class Accumulator {
           ++s.msd_n(static_cast<Index>(j));
         });
     });
+  }
+
+  void drift(const std::vector<Eigen::Array3d>& path) {
+    const auto lag = static_cast<std::size_t>(plan_.msd_lags.back());
+    for (std::size_t f = 0; f + lag < path.size(); ++f) {
+      if (tracks_.frames()[f + lag].number - tracks_.frames()[f].number != plan_.msd_lags.back()) continue;  // frames without anybody
+      Sums& s = sums_[block_of_entry(f)];
+      const Eigen::Array3d step = path[f + lag] - path[f];
+      s.group_msd += step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
+      ++s.group_msd_n;
+    }
   }
 
   template <class Term>
@@ -189,6 +203,7 @@ Panel panel_of(const Sums& s, const PanelPlan& plan) {
     out.values.push_back(std::sqrt(s.scatter(static_cast<Index>(k), static_cast<Index>(k)) / s.spread_rows));
   out.values.push_back(first_zero(out.vacf, plan));
   for (Index j = 0; j < s.msd.size(); ++j) out.values.push_back(s.msd(j) / s.msd_n(j));
+  out.values.push_back(s.group_msd / s.group_msd_n);
   for (std::size_t k = 0; k < axes; ++k) out.values.push_back(stiffness(s.axis[k]));
   out.values.push_back(s.polarisation / s.polarised);
   out.values.push_back(nearest_ratio(s, plan.dims));
@@ -228,6 +243,10 @@ std::vector<PanelItem> PanelPlan::items() const {
   for (const Index lag : msd_lags) {
     const double seconds = static_cast<double>(lag) * dt;
     out.push_back({fmt::format("msd_{:.3g}s", seconds), fmt::format("mean squared displacement after {:.3g} s", seconds), 2, 0});
+  }
+  if (!msd_lags.empty()) {
+    const double seconds = static_cast<double>(msd_lags.back()) * dt;
+    out.push_back({fmt::format("group_msd_{:.3g}s", seconds), fmt::format("the same of the group as a whole after {:.3g} s", seconds), 2, 0});
   }
   for (int k = 0; k < dims; ++k) out.push_back({fmt::format("k_{}", axes[k]), fmt::format("restoring slope along {}", axes[k]), 0, -2});
   out.push_back({"polarisation", "polarisation", 0, 0});

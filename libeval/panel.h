@@ -20,6 +20,7 @@ struct PanelItem {
 //   sd_x, sd_y, sd_z      extent: standard deviation of positions about the frame's centroid (frames with two or more)
 //   vacf_zero             first zero of the velocity autocorrelation <v(t)·v(t+τ)>/<v²>, interpolated; NaN if it has none
 //   msd_τs                mean squared displacement after τ: 1/8, 1/4, 1/2 and 1 s (1, 2, 4, 8 frames if the frames are sparse)
+//   group_msd_τs          the same of the group as a whole (group_path), after the longest of these: does it stay where it is?
 //   k_x, k_y, k_z         effective force: minus the slope of acceleration (second difference) against the place relative to the centroid,
 //                         least squares; localisation error σ adds 2σ²/(dt² Var x)
 //   polarisation          mean over frames of |mean heading|
@@ -28,7 +29,7 @@ struct PanelItem {
 //                         covariance of all positions about their centroids. A uniform cloud of a few dozen lies a few per cent above 1,
 //                         since those on its surface have neighbours on one side only.
 //   kurtosis              of the components of acceleration, mean over axes; 3 if normal
-// Velocities and displacements are relative to the motion of the group (group_path).
+// All other velocities and displacements are relative to the motion of the group (group_path).
 struct PanelPlan {
   int dims = 3;
   double dt = 0;                 // [s]

@@ -10,6 +10,7 @@
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define SWARMFIT_HOT __attribute__((target_clones("avx2", "default")))
+#define SWARMFIT_TWO_VERSIONS  // where both are written by hand: __attribute__((target("avx2"))) and ((target("default")))
 #else
 #define SWARMFIT_HOT
 #endif

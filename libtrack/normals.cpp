@@ -5,6 +5,10 @@
 
 #include "libtrack/hot.h"
 
+#ifdef SWARMFIT_TWO_VERSIONS
+#include <immintrin.h>
+#endif
+
 namespace swarmfit {
 namespace {
 
@@ -58,7 +62,7 @@ struct Twelve {
   double x[4], y[4], z[4];
 };
 
-SWARMFIT_HOT void box_muller(const Uniforms& u, Twelve& out) {
+inline __attribute__((always_inline)) void box_muller(const Uniforms& u, Twelve& out) {
   Lanes first, second, r0, r1, s0, c0, s1, c1;
   load(u.radius[0], first), load(u.radius[1], second);
   logarithm(1 - first, r0), logarithm(1 - second, r1);
@@ -71,19 +75,79 @@ SWARMFIT_HOT void box_muller(const Uniforms& u, Twelve& out) {
   std::memcpy(out.z, &z, sizeof z);
 }
 
+// The twelve of four ids; start: their counter without id and draw.
+#ifdef SWARMFIT_TWO_VERSIONS
+__attribute__((target("default")))
+#endif
+void twelve(const std::uint32_t* ids, philox::Counter start, philox::Key key, Twelve& out) {
+  Uniforms u;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::uint32_t draw = 0; draw < 2; ++draw) {
+      const auto b = philox::bijection({draw, ids[k], start[2], start[3]}, key);
+      u.radius[draw][k] = Rng::to_unit(b[0], b[1]), u.angle[draw][k] = Rng::to_unit(b[2], b[3]);
+    }
+  box_muller(u, out);
+}
+
+#ifdef SWARMFIT_TWO_VERSIONS
+// The same bits, with the eight counters in the lanes of four words: draw 0 of the ids, then draw 1.
+struct HighAndLow {
+  __m256i high, low;
+};
+
+// The 64-bit products of eight 32-bit numbers and another. Compilers get there by shuffles that cost more than they save.
+__attribute__((target("avx2"), always_inline)) inline void multiply(__m256i x, __m256i by, HighAndLow& out) {
+  const __m256i even = _mm256_mul_epu32(x, by), odd = _mm256_mul_epu32(_mm256_srli_epi64(x, 32), by);
+  out.high = _mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xAA);
+  out.low = _mm256_blend_epi32(even, _mm256_slli_epi64(odd, 32), 0xAA);
+}
+
+__attribute__((target("avx2"), always_inline)) inline __m256i all(std::uint32_t x) { return _mm256_set1_epi32(static_cast<int>(x)); }
+
+// Rng::to_unit of four: the 53 bits as two numbers of at most 32 bits, each planted into a significand; every step is exact.
+__attribute__((target("avx2"), always_inline)) inline void to_unit(__m128i low, __m128i high, double* out) {
+  const __m256i bits = _mm256_or_si256(_mm256_slli_epi64(_mm256_cvtepu32_epi64(high), 32), _mm256_cvtepu32_epi64(low));
+  const __m256i word = _mm256_srli_epi64(bits, 11);
+  const __m256d upper = _mm256_castsi256_pd(_mm256_or_si256(_mm256_srli_epi64(word, 32), _mm256_castpd_si256(_mm256_set1_pd(0x1p84))));
+  const __m256d lower = _mm256_castsi256_pd(_mm256_blend_epi32(word, _mm256_castpd_si256(_mm256_set1_pd(0x1p52)), 0xAA));
+  const __m256d value = _mm256_add_pd(_mm256_sub_pd(upper, _mm256_set1_pd(0x1p84 + 0x1p52)), lower);
+  _mm256_storeu_pd(out, _mm256_mul_pd(value, _mm256_set1_pd(0x1p-53)));
+}
+
+__attribute__((target("avx2"))) void twelve(const std::uint32_t* ids, philox::Counter start, philox::Key key, Twelve& out) {
+  __m128i four;
+  std::memcpy(&four, ids, sizeof four);
+  __m256i word[4] = {_mm256_set_epi32(1, 1, 1, 1, 0, 0, 0, 0), _mm256_set_m128i(four, four), all(start[2]), all(start[3])};
+  const __m256i by0 = all(philox::kMultiplier0), by1 = all(philox::kMultiplier1);
+  for (int round = 0; round < 10; ++round) {
+    HighAndLow a, b;
+    multiply(word[0], by0, a), multiply(word[2], by1, b);
+    word[0] = _mm256_xor_si256(_mm256_xor_si256(b.high, word[1]), all(key[0]));
+    word[2] = _mm256_xor_si256(_mm256_xor_si256(a.high, word[3]), all(key[1]));
+    word[1] = b.low;
+    word[3] = a.low;
+    key[0] += philox::kWeyl0;
+    key[1] += philox::kWeyl1;
+  }
+  Uniforms u;
+  to_unit(_mm256_castsi256_si128(word[0]), _mm256_castsi256_si128(word[1]), u.radius[0]);
+  to_unit(_mm256_castsi256_si128(word[2]), _mm256_castsi256_si128(word[3]), u.angle[0]);
+  to_unit(_mm256_extracti128_si256(word[0], 1), _mm256_extracti128_si256(word[1], 1), u.radius[1]);
+  to_unit(_mm256_extracti128_si256(word[2], 1), _mm256_extracti128_si256(word[3], 1), u.angle[1]);
+  box_muller(u, out);
+}
+#endif
+
 }  // namespace
 
 void three_normals(const Rng& rng, Stream stream, std::uint64_t tick, std::span<const std::uint32_t> ids, double* x, double* y, double* z) {
-  Uniforms u{};
+  const philox::Counter start = Rng::counter(stream, tick, 0, 0);
+  std::uint32_t last[4] = {};
   Twelve found;
   for (std::size_t first = 0; first < ids.size(); first += 4) {
     const std::size_t n = std::min<std::size_t>(4, ids.size() - first);
-    for (std::size_t k = 0; k < n; ++k)
-      for (std::uint32_t draw = 0; draw < 2; ++draw) {
-        const auto uv = rng.uniform2(stream, tick, ids[first + k], draw);
-        u.radius[draw][k] = uv[0], u.angle[draw][k] = uv[1];
-      }
-    box_muller(u, found);
+    if (n < 4) std::copy_n(ids.data() + first, n, last);
+    twelve(n < 4 ? last : ids.data() + first, start, rng.key(), found);
     std::copy_n(found.x, n, x + first);
     std::copy_n(found.y, n, y + first);
     std::copy_n(found.z, n, z + first);

@@ -39,14 +39,16 @@ namespace philox {
 using Counter = std::array<std::uint32_t, 4>;
 using Key = std::array<std::uint32_t, 2>;
 
+inline constexpr std::uint32_t kMultiplier0 = 0xD2511F53, kMultiplier1 = 0xCD9E8D57, kWeyl0 = 0x9E3779B9, kWeyl1 = 0xBB67AE85;
+
 constexpr Counter bijection(Counter c, Key k) {
   for (int round = 0; round < 10; ++round) {
-    const std::uint64_t a = std::uint64_t{0xD2511F53} * c[0];
-    const std::uint64_t b = std::uint64_t{0xCD9E8D57} * c[2];
+    const std::uint64_t a = std::uint64_t{kMultiplier0} * c[0];
+    const std::uint64_t b = std::uint64_t{kMultiplier1} * c[2];
     c = {static_cast<std::uint32_t>(b >> 32) ^ c[1] ^ k[0], static_cast<std::uint32_t>(b),
          static_cast<std::uint32_t>(a >> 32) ^ c[3] ^ k[1], static_cast<std::uint32_t>(a)};
-    k[0] += 0x9E3779B9;
-    k[1] += 0xBB67AE85;
+    k[0] += kWeyl0;
+    k[1] += kWeyl1;
   }
   return c;
 }
@@ -56,11 +58,14 @@ constexpr Counter bijection(Counter c, Key k) {
 struct Rng {
   std::uint64_t seed = 0;
 
+  static constexpr philox::Counter counter(Stream stream, std::uint64_t tick, std::uint32_t id, std::uint32_t draw) {
+    return {draw, id, static_cast<std::uint32_t>(tick), static_cast<std::uint32_t>(tick >> 32) << 16 | static_cast<std::uint32_t>(stream)};
+  }
+  constexpr philox::Key key() const { return {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}; }
+
   // 128 random bits. tick < 2^48, stream < 2^16.
   philox::Counter bits(Stream stream, std::uint64_t tick, std::uint32_t id, std::uint32_t draw = 0) const {
-    const auto high = static_cast<std::uint32_t>(tick >> 32) << 16 | static_cast<std::uint32_t>(stream);
-    return philox::bijection({draw, id, static_cast<std::uint32_t>(tick), high},
-                             {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
+    return philox::bijection(counter(stream, tick, id, draw), key());
   }
 
   // Two independent numbers, uniform on [0, 1) with 53 bits.
@@ -87,7 +92,7 @@ struct Rng {
     return {std::uint64_t{b[1]} << 32 | b[0]};
   }
 
- private:
+  // 53 of 64 bits, on [0, 1).
   static double to_unit(std::uint32_t low, std::uint32_t high) {
     return static_cast<double>((std::uint64_t{high} << 32 | low) >> 11) * 0x1.0p-53;
   }

@@ -37,6 +37,18 @@ Html recordings(const Across& a, const std::vector<RecordingPage>& pages) {
   return t.html();
 }
 
+// Over whom does the lead of the first hold, if the recordings are a sample of more of their kind?
+std::string beyond_these(const Across& a) {
+  std::vector<std::string> holds, open;
+  for (const ModelAcross& m : a.models)
+    if (std::isfinite(m.lead.lower)) (m.lead.lower > 0 ? holds : open).push_back(m.model);
+  if (holds.empty() && open.empty()) return "";
+  const std::string all = fmt::format(" The recordings taken as a sample of more of their kind, the lead of {} ", a.models.front().model);
+  if (holds.empty()) return all + "holds over no other model (95 %).";
+  if (open.empty()) return all + "holds over every other model (95 %).";
+  return all + fmt::format("holds over {}, but not over {} (95 %).", enumerate(holds), enumerate(open));
+}
+
 }  // namespace
 
 std::string across_sentence(const Across& a) {
@@ -56,7 +68,7 @@ std::string across_detail(const Across& a) {
   for (const ModelAcross& m : a.models)
     if (&m != &a.models.front() && m.wins > 0) others.push_back(fmt::format("{} on {}", m.model, m.wins));
   const std::string also = others.empty() ? "" : fmt::format("Also first: {}. ", enumerate(others));
-  return also + "First places include ties that the recordings cannot decide; their own reports say which.";
+  return also + "First places include ties that the recordings cannot decide; their own reports say which." + beyond_these(a);
 }
 
 std::string across_html(const Across& a, const std::vector<RecordingPage>& pages, const std::string& version) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -22,20 +23,34 @@ std::string place(const ModelAcross& m, std::size_t recording) {
   return fmt::format("{} ({})", m.rank[recording], fixed(m.score[recording], 3));
 }
 
+// "0.412 (0.105 .. 0.719)"; an en dash for the first.
+std::string lead_text(const MeanOverRecordings& lead) {
+  if (!std::isfinite(lead.mean)) return kUndefined;
+  const std::string mean = fixed(lead.mean, 3);
+  return std::isfinite(lead.lower) ? fmt::format("{} ({} .. {})", mean, fixed(lead.lower, 3), fixed(lead.upper, 3)) : mean;
+}
+
 Json by_column(const Across& a, const PerColumn<double>& values) {
   Json out = Json::object();
   for (std::size_t j = 0; j < a.columns.size(); ++j) out[a.columns[j].key()] = values[j];
   return out;
 }
 
+Json interval(const MeanOverRecordings& of) {
+  return std::isfinite(of.lower) ? Json::array({of.lower, of.upper}) : Json(nullptr);
+}
+
 PaperTable ranking(const Across& a) {
-  PaperTable t{"across_ranking", "Rank and, in brackets, score of every model on every recording; models by mean rank.", {"model"}, {}};
+  PaperTable t{"across_ranking", "Rank and, in brackets, score of every model on every recording; models by mean rank. In brackets after the lead of "
+               "the first: 95 % interval over recordings.",
+               {"model"},
+               {}};
   for (const auto& name : a.recordings) t.head.push_back(name);
-  t.head.insert(t.head.end(), {"mean rank", "mean score", "first"});
+  t.head.insert(t.head.end(), {"mean rank", "mean score", "first", "lead of the first"});
   for (const ModelAcross& m : a.models) {
     std::vector<std::string> row{m.model};
     for (std::size_t k = 0; k < a.recordings.size(); ++k) row.push_back(place(m, k));
-    row.insert(row.end(), {fixed(m.mean_rank, 2), fixed(m.mean_score, 3), std::to_string(m.wins)});
+    row.insert(row.end(), {fixed(m.mean_rank, 2), fixed(m.mean_score, 3), std::to_string(m.wins), lead_text(m.lead)});
     t.rows.push_back(std::move(row));
   }
   return t;
@@ -58,16 +73,16 @@ PaperTable weights(const Across& a) {
 
 std::string across_text(const Across& a, TextStyle style) {
   std::vector<Align> align = {Align::left};
-  align.insert(align.end(), a.recordings.size() + 2, Align::right);
+  align.insert(align.end(), a.recordings.size() + 3, Align::right);
   TextTable t(align, style);
   std::vector<std::string> head = {"model"};
   for (const auto& name : a.recordings) head.push_back(printable(fs::path(name).stem().string()));
-  head.insert(head.end(), {"mean rank", "first"});
+  head.insert(head.end(), {"mean rank", "first", "lead of the first"});
   t.row(head, Paint::bold);
   for (const ModelAcross& m : a.models) {
     std::vector<std::string> row{m.model};
     for (std::size_t k = 0; k < a.recordings.size(); ++k) row.push_back(place(m, k));
-    row.insert(row.end(), {fixed(m.mean_rank, 2), std::to_string(m.wins)});
+    row.insert(row.end(), {fixed(m.mean_rank, 2), std::to_string(m.wins), lead_text(m.lead)});
     t.row(row, &m == &a.models.front() ? Paint::good : Paint::plain);
   }
   const std::string out = fmt::format("Rank (score) on {} recordings\n{}", a.recordings.size(), t.text());
@@ -84,7 +99,9 @@ std::string to_json(const Across& a) {
                       {"score", m.score},
                       {"mean_rank", m.mean_rank},
                       {"mean_score", m.mean_score},
-                      {"first", m.wins}});
+                      {"first", m.wins},
+                      {"lead_of_first", m.lead.mean},
+                      {"lead_ci", interval(m.lead)}});
   const Json all = {{"schema", "swarmfit-across/1"},
                     {"recordings", std::move(recordings)},
                     {"mean_weights", by_column(a, a.mean_weight)},

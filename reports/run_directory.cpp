@@ -24,6 +24,12 @@ namespace {
 
 constexpr std::string_view kMark = "# A run of swarmfit";  // first words of every config.toml of ours
 
+constexpr std::array kResults = {"results.json", "summary.json", "recovery.json", "power.json"};  // each is written last
+
+bool has_result(const fs::path& dir) {
+  return std::any_of(kResults.begin(), kResults.end(), [&](const char* result) { return fs::exists(dir / result); });
+}
+
 bool is_earlier_run(const fs::path& dir) {
   const fs::path config = dir / "config.toml";
   return fs::is_regular_file(config) && read_file(config.string()).starts_with(kMark);
@@ -58,15 +64,14 @@ void begin_run(const std::string& dir, const std::string& config) {
   remove_torn(dir);
   write_file_atomically(dir + "/config.toml", config);
   std::error_code no_such_file;
-  for (const char* result : {"results.json", "summary.json"}) fs::remove(fs::path(dir) / result, no_such_file);
+  for (const char* result : kResults) fs::remove(fs::path(dir) / result, no_such_file);
 }
 
 std::string unfinished_run(const std::string& dir) {
   const fs::path root = dir;
   if (!fs::is_directory(root) || !is_earlier_run(root))
-    throw InputError(dir + ": holds no run; expected the folder of an interrupted fit or compare");
-  const bool done = fs::exists(root / "results.json") || fs::exists(root / "summary.json");
-  if (done && !fs::exists(root / "checkpoint")) throw InputError(dir + ": this run is complete; expected one that was interrupted");
+    throw InputError(dir + ": holds no run; expected the folder of one that was interrupted");
+  if (has_result(root) && !fs::exists(root / "checkpoint")) throw InputError(dir + ": this run is complete; expected one that was interrupted");
   const std::string config = read_file((root / "config.toml").string());
   const auto open = config.find("\n["), close = config.find("]\n", open);
   return open == std::string::npos || close == std::string::npos ? "" : config.substr(open + 2, close - open - 2);
@@ -75,9 +80,7 @@ std::string unfinished_run(const std::string& dir) {
 void require_finished_run(const std::string& dir) {
   const fs::path root = dir;
   if (!fs::is_directory(root) || !is_earlier_run(root)) throw InputError(dir + ": holds no run; expected the folder of one");
-  const auto is_there = [&](const char* result) { return fs::exists(root / result); };
-  constexpr std::array kResults = {"results.json", "summary.json", "recovery.json", "power.json"};  // each is written last
-  if (std::none_of(kResults.begin(), kResults.end(), is_there))
+  if (!has_result(root))
     throw InputError(dir + ": this run has not finished; expected one that has (swarmfit resume goes on with it)");
 }
 

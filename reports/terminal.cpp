@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "reports/evaluation_words.h"
@@ -109,30 +109,45 @@ bool finite_skill(const Comparison& c) {
   return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return std::isfinite(r.skill.value); });
 }
 
-std::size_t panel_index(const PanelFacts& panel, std::string_view key) {
-  const auto at = std::find_if(panel.items.begin(), panel.items.end(), [&](const PanelItem& item) { return item.key == key; });
-  return static_cast<std::size_t>(at - panel.items.begin());
+constexpr std::string_view kGroup = "group_msd_";
+
+struct Shown {
+  std::size_t item;  // of the panel
+  std::string title;
+  bool root;  // of a square
+};
+
+// A few of the panel, in its order.
+std::vector<Shown> shown_of_panel(const Comparison& c) {
+  const std::map<std::string_view, std::string_view> titles{{"vacf_zero", "VACF zero [s]"},
+                                                            {"k_x", "k_x [1/s²]"},
+                                                            {"polarisation", "polarisation"},
+                                                            {"nearest_ratio", "d/Poisson"},
+                                                            {"kurtosis", "kurtosis a"}};
+  std::vector<Shown> out;
+  for (std::size_t k = 0; k < c.panel.items.size(); ++k) {
+    const std::string& key = c.panel.items[k].key;
+    if (const auto at = titles.find(key); at != titles.end()) out.push_back({k, std::string(at->second), false});
+    if (key.starts_with(kGroup)) out.push_back({k, fmt::format("drift [{}]", c.data.unit), true});
+  }
+  return out;
 }
 
 // A few of the observables that were not fitted, the recording in the first row.
 std::string panel_text(const Comparison& c, TextStyle style) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShown{{{"vacf_zero", "VACF zero [s]"},
-                                                                                 {"k_x", "k_x [1/s²]"},
-                                                                                 {"polarisation", "polarisation"},
-                                                                                 {"nearest_ratio", "d/Poisson"},
-                                                                                 {"kurtosis", "kurtosis a"}}};
   if (c.panel.recording.empty()) return {};
-  std::vector<Align> align(kShown.size() + 1, Align::right);
+  const auto shown = shown_of_panel(c);
+  std::vector<Align> align(shown.size() + 1, Align::right);
   align.front() = Align::left;
   TextTable table(align, style);
   std::vector<std::string> head = {"not fitted"};
-  for (const auto& [key, title] : kShown) head.emplace_back(title);
+  for (const Shown& s : shown) head.push_back(s.title);
   table.row(head, Paint::bold);
   const auto row = [&](const std::string& name, const std::vector<Estimate>& values, Paint paint) {
     std::vector<std::string> cells = {name};
-    for (const auto& [key, title] : kShown) {
-      const std::size_t k = panel_index(c.panel, key);
-      cells.push_back(k < values.size() ? rounded(values[k].value, 2) : kUndefined);
+    for (const Shown& s : shown) {
+      const double value = s.item < values.size() ? values[s.item].value : NAN;
+      cells.push_back(rounded(s.root ? std::sqrt(value) : value, 2));
     }
     table.row(cells, paint);
   };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Do the intervals of a lead hold it? Recordings made by one model are compared with it and another, fitted on the first half and scored on
-// the second. The true lead is the mean over fresh recordings of the second half made by the planted model. By hand:
-//   lead_coverage PLANTED OTHER [RECORDINGS] [FRAMES]
+// the second. The true lead is the mean over fresh recordings of the second half made by the planted model, in the place where it was planted,
+// and not where the recordings lie. By hand:
+//   lead_coverage PLANTED OTHER [RECORDINGS] [FRAMES] [FIRST_SEED]
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -43,11 +44,15 @@ Scene scene(const ModelChoice& planted, const ModelChoice& other, std::uint64_t 
 
 // Mean lead of the first model over the second, both as fitted, on fresh recordings of the half that was held out.
 double true_lead(const Scene& s, const Comparison& c) {
-  Conditions conditions = make_conditions(halves(s.recording).held_out, s.options.conditions);
-  conditions.metrics.lags = lags_of(c.columns);
+  const Halves parts = halves(s.recording);
+  Conditions fitted = make_conditions(parts.fitted, s.options.conditions);
+  fitted.metrics.lags = lags_of(c.columns);
+  const Conditions conditions = held_out_conditions(parts.held_out, fitted);
+  Conditions planted = conditions;
+  planted.reference = std::make_shared<const Tracks>();  // planted swarms stay at the origin
   const Target target(metric_samples(conditions.recording, conditions.metrics), s.options.binning);
   const Weighting w{{c.weights.begin(), c.weights.end()}, {c.p1.begin(), c.p1.end()}, {c.p2.begin(), c.p2.end()}, {}};
-  Laws laws{law_of(Objective(s.options.models[0], conditions, target), s.truth, {4711}, kFresh), {}, {0, 0}, {1}};
+  Laws laws{law_of(Objective(s.options.models[0], planted, target), s.truth, {4711}, kFresh), {}, {0, 0}, {1}};
   for (const FitResult& fit : c.models) {
     const ModelChoice model = parse_model(fit.model);
     laws.of.push_back(law_of(Objective(model, conditions, target), parameter_values(model, fit), {4712}, kFresh));
@@ -61,12 +66,13 @@ double true_lead(const Scene& s, const Comparison& c) {
 
 int main(int argc, char** argv) {
   using namespace swarmfit;
-  if (argc < 3) return fmt::print(stderr, "lead_coverage PLANTED OTHER [RECORDINGS] [FRAMES]\n"), 2;
+  if (argc < 3) return fmt::print(stderr, "lead_coverage PLANTED OTHER [RECORDINGS] [FRAMES] [FIRST_SEED]\n"), 2;
   const ModelChoice planted = parse_model(argv[1]), other = parse_model(argv[2]);
   const int recordings = argc > 3 ? std::atoi(argv[3]) : 200;
+  const int first_seed = argc > 5 ? std::atoi(argv[5]) : 1;
   int held = 0;
   fmt::print("seed,first,lead_fitted,lead_held_out,lower,upper,true_lead\n");
-  for (int k = 1; k <= recordings; ++k) {
+  for (int k = first_seed; k < first_seed + recordings; ++k) {
     const Scene s = scene(planted, other, static_cast<std::uint64_t>(k), argc > 4 ? std::atoi(argv[4]) : 280);
     const Comparison c = compare(s.recording, s.options);
     const FitResult &first = c.models[0], &second = c.models[1];

@@ -230,6 +230,28 @@ TEST_F(Program, AnInterruptedRunGoesOn) {
   expect_refused("resume nowhere", "holds no run");
 }
 
+// Stopped after the first comparison of several, and stopped again: the rest is computed once, the files are the same.
+TEST_F(Program, StudiesGoOnToo) {
+  for (const auto& [job, result] : std::vector<std::pair<std::string, std::string>>{
+           {"power demo --frames 0:60 -m brownian,langevin --seeds 2 --max-evaluations 10 ", "power.json"},
+           {"recover -m brownian,langevin --seeds 2 --agents 6 --frames 50 --max-evaluations 10 ", "recovery.json"},
+           {"recover --parameters -m langevin --seeds 3 --agents 6 --frames 40 ", "recovery.json"}}) {
+    fs::remove_all(dir_ / "broken");
+    ASSERT_EQ(run(job + "-q --out whole").code, 0);
+    const Result stopped = run("--version >version; { '" SWARMFIT_PROGRAM "' " + job +
+                               "--out broken 2>log & while ! grep -q '^1/' log && kill -0 $!; do sleep 0.01; done; kill -TERM $!; wait $!; }");
+    EXPECT_EQ(stopped.code, 130) << job;
+    EXPECT_THAT(content(dir_ / "log"), HasSubstr("to go on: swarmfit resume broken"));
+    EXPECT_EQ(run("resume broken --max-time 0.001").code, 130) << job;
+    EXPECT_FALSE(fs::exists(dir_ / "broken" / result));
+    ASSERT_EQ(run("resume broken -q").code, 0) << job;
+    for (const std::string& file : {result, std::string("report.html"), std::string("config.toml"), std::string("tables/cases.csv")})
+      EXPECT_EQ(content(dir_ / "whole" / file), content(dir_ / "broken" / file)) << job << file;
+    EXPECT_FALSE(fs::exists(dir_ / "broken/checkpoint"));
+    expect_refused("resume broken", "is complete");
+  }
+}
+
 TEST_F(Program, ARunStopsWhenItsTimeIsUpAndGoesOn) {
   const std::string job = "compare demo -m brownian,langevin --budget quick --frames 0:60 -q ";
   ASSERT_EQ(run(job + "--out whole").code, 0);

@@ -52,6 +52,26 @@ TEST(Across, UndefinedScoresAreLeftOutOfMeansAndComeLast) {
   EXPECT_EQ(s.models[0].model, "a") << "equal ranks and scores: the order given";
 }
 
+// Leads of a over b .1, .2, .6: mean .3, standard error .1528; t(2) at 97.5 % is 4.3027, at 98.75 % 6.2053 (scipy 1.11, stats.t.ppf).
+TEST(Across, LeadsArePairedWithinRecordingsAndShareTheLevel) {
+  const std::vector<double> leads{.1, .2, .6, NAN};
+  const MeanOverRecordings alone = mean_over_recordings(leads, 0.05);
+  EXPECT_NEAR(alone.mean, 0.3, 1e-15);
+  EXPECT_NEAR(alone.lower, 0.3 - 4.302653 * 0.1527525, 1e-6);
+  EXPECT_NEAR(alone.upper, 0.3 + 4.302653 * 0.1527525, 1e-6);
+  EXPECT_TRUE(std::isnan(mean_over_recordings(std::vector{.5}, 0.05).lower));
+  EXPECT_TRUE(std::isnan(mean_over_recordings({}, 0.05).mean));
+
+  const Across s = across(std::vector{compared("one", {{"a", .5}, {"b", .4}, {"c", .1}}, 0.5),
+                                      compared("two", {{"a", .5}, {"b", .3}, {"c", NAN}}, 0.5),
+                                      compared("three", {{"a", .8}, {"b", .2}, {"c", .1}}, 0.5)});
+  EXPECT_TRUE(std::isnan(s.models[0].lead.mean)) << "the first has none over itself";
+  ASSERT_EQ(s.models[1].model, "b");
+  EXPECT_NEAR(s.models[1].lead.mean, 0.3, 1e-15);
+  EXPECT_NEAR(s.models[1].lead.lower, 0.3 - 6.205347 * 0.1527525, 1e-6) << "two models share the level";
+  EXPECT_NEAR(s.models[2].lead.mean, (.4 + .7) / 2, 1e-15) << "where both are defined";
+}
+
 TEST(Across, NothingGivesNothing) { EXPECT_TRUE(across({}).models.empty()); }
 
 }  // namespace

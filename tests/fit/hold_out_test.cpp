@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "fit/objective.h"
+#include "fit/recovery.h"
 #include "libtrack/error.h"
 #include "tests/fit/planted.h"
 
@@ -51,10 +53,13 @@ TEST(HoldOut, FitsTheFirstHalfAndScoresTheSecond) {
   EXPECT_FALSE(half.hold_out.used);
   EXPECT_TRUE(std::isnan(half.models[0].held_out.score));
 
-  // By hand: the fitted parameters under the other half's own conditions, scored with the weights of the first.
+  // By hand: the fitted parameters under the other half's own conditions and what was learned from the first, scored with its weights.
   const Halves parts = halves(recording);
+  const Conditions fitted = make_conditions(parts.fitted, options.conditions);
   Conditions conditions = make_conditions(parts.held_out, options.conditions);
   conditions.metrics.lags = {1};
+  conditions.scales = fitted.scales;
+  conditions.sigma = fitted.sigma;
   const Target target(metric_samples(conditions.recording, conditions.metrics), options.binning);
   const Objective objective(parse_model("bswarm"), conditions, target);
   const auto& fit = held.models[0];
@@ -68,6 +73,28 @@ TEST(HoldOut, FitsTheFirstHalfAndScoresTheSecond) {
   EXPECT_NEAR(fit.held_out.score, -cost, 1e-12);
   EXPECT_EQ(held.models[1].held_out.certainty.group, 2) << "boids is found out on either half";
   EXPECT_GT(held.models[1].held_out.certainty.lead_lower, 0);
+}
+
+Eigen::Array3d centre_of(const Tracks& t) { return t.pos().colwise().mean().transpose(); }
+
+// A stiff langevin swarm stays where it was in the half that was fitted, not where it turned out to be later.
+TEST(HoldOut, ModelsDoNotKnowWhereTheOtherHalfIs) {
+  const Tracks recording = film(300);
+  const Halves parts = halves(recording);
+  const Conditions fitted = make_conditions(parts.fitted, {});
+  const Conditions there = held_out_conditions(parts.held_out, fitted);
+  EXPECT_EQ(there.first_frame, parts.held_out.frames().front().number);
+  EXPECT_EQ(there.sigma.matrix(), fitted.sigma.matrix());
+  EXPECT_EQ(there.scales.extent, fitted.scales.extent);
+  const Target target(metric_samples(there.recording, there.metrics), {});
+  const ModelChoice model = parse_model("langevin");
+  const auto still = planted_parameters(model, fitted.scales, {{"tau_v", 0.05}, {"k", 400}, {"sigma_eta", 0}});
+  const Tracks run = Objective(model, there, target).simulate(still, Rng{1});
+  const auto last = run.frames().back();
+  const Eigen::Array3d end = run.pos().middleRows(last.first, last.count).colwise().mean().transpose();
+  const double apart = (centre_of(parts.held_out) - centre_of(parts.fitted)).matrix().norm();
+  ASSERT_GT(apart, 5 * there.sigma.matrix().norm()) << "the halves must lie apart for this to mean anything";
+  EXPECT_LT((end - centre_of(parts.fitted)).matrix().norm(), 0.2 * apart);
 }
 
 }  // namespace

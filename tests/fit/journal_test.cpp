@@ -48,7 +48,8 @@ class JournalTest : public testing::Test {
 
   // Ten outcomes in three additions.
   void fill() const {
-    Journal journal(path(), kRun, [] {});
+    Checkpoint checkpoint(path(), kRun, [] {});
+    Journal journal(checkpoint);
     for (const auto& [from, to] : {std::pair{0, 4}, {4, 5}, {5, 10}}) {
       std::vector<std::pair<std::string, Outcome>> batch;
       for (int k = from; k < to; ++k) batch.emplace_back(key(k), outcome(k));
@@ -64,8 +65,9 @@ class JournalTest : public testing::Test {
 
 TEST_F(JournalTest, KeepsEveryOutcomeToTheBit) {
   fill();
-  const Journal journal(path(), kRun);
-  EXPECT_EQ(journal.size(), 10u);
+  Checkpoint checkpoint(path(), kRun);
+  EXPECT_EQ(checkpoint.size(), 10u);
+  const Journal journal(checkpoint);
   for (int k = 0; k < 10; ++k) {
     const auto found = journal.find(key(k));
     ASSERT_TRUE(found);
@@ -84,7 +86,8 @@ TEST_F(JournalTest, KeysTellModelsParametersAndSeedsApart) {
 
 TEST_F(JournalTest, TouchesNothingBeforeTheFirstOutcome) {
   int prepared = 0;
-  Journal journal(path(), kRun, [&] { ++prepared; });
+  Checkpoint checkpoint(path(), kRun, [&] { ++prepared; });
+  Journal journal(checkpoint);
   journal.add({});
   EXPECT_EQ(prepared, 0);
   EXPECT_FALSE(fs::exists(path()));
@@ -111,8 +114,9 @@ TEST_F(JournalTest, DamageNeverYieldsAnotherOutcome) {
     }
     write(bytes);
     try {
-      Journal journal(path(), kRun);
-      fewer += journal.size() < 10;
+      Checkpoint checkpoint(path(), kRun);
+      fewer += checkpoint.size() < 10;
+      Journal journal(checkpoint);
       for (int k = 0; k < 10; ++k)
         if (const auto found = journal.find(key(k))) expect_same(*found, outcome(k));
       const std::vector<std::pair<std::string, Outcome>> more{{key(99), outcome(99)}};
@@ -121,7 +125,8 @@ TEST_F(JournalTest, DamageNeverYieldsAnotherOutcome) {
       ++refused;
       continue;
     }
-    const Journal again(path(), kRun);
+    Checkpoint reopened(path(), kRun);
+    const Journal again(reopened);
     ASSERT_TRUE(again.find(key(99))) << "damage " << d << " at " << at;
     expect_same(*again.find(key(99)), outcome(99));
   }
@@ -131,7 +136,7 @@ TEST_F(JournalTest, DamageNeverYieldsAnotherOutcome) {
 
 TEST_F(JournalTest, RefusesAnotherRun) {
   fill();
-  const auto open = [&](const RunIdentity& run) { return [this, run] { const Journal journal(path(), run); }; };
+  const auto open = [&](const RunIdentity& run) { return [this, run] { const Checkpoint checkpoint(path(), run); }; };
   EXPECT_THAT(open({"1.2.4", kRun.recording, kRun.config}), ThrowsMessage<InputError>(HasSubstr("another version 1.2.3")));
   EXPECT_THAT(open({kRun.version, "fedcba", kRun.config}), ThrowsMessage<InputError>(HasSubstr("another recording")));
   EXPECT_THAT(open({kRun.version, kRun.recording, "x"}), ThrowsMessage<InputError>(HasSubstr("other settings")));
@@ -157,16 +162,18 @@ TEST_F(JournalTest, AComparisonGoesOnToTheSameResult) {
     return out;
   };
   {
-    Journal journal(path(), kRun, [] {});
+    Checkpoint checkpoint(path(), kRun, [] {});
+    Journal journal(checkpoint);
     EXPECT_EQ(scores(compare(recording, options, {}, &journal)), scores(plain));
   }
   const std::string whole = read_file(path());
-  const std::size_t distinct = Journal(path(), kRun).size();
+  const std::size_t distinct = Checkpoint(path(), kRun).size();
   for (const std::size_t share : {100, 73, 40, 11, 3}) {
     write(whole.substr(0, whole.size() * share / 100));
-    Journal journal(path(), kRun);
+    Checkpoint checkpoint(path(), kRun);
+    Journal journal(checkpoint);
     EXPECT_EQ(scores(compare(recording, options, {}, &journal)), scores(plain)) << share;
-    EXPECT_EQ(Journal(path(), kRun).size(), distinct) << share;  // in whatever order refinements ran
+    EXPECT_EQ(Checkpoint(path(), kRun).size(), distinct) << share;  // in whatever order refinements ran
     if (share == 100) {
       EXPECT_EQ(read_file(path()), whole) << "what was known has been simulated again";
     }

@@ -22,16 +22,16 @@ Across sample() {
   a.weights[0].fill(0.1);
   a.weights[1].fill(0.2);
   a.mean_weight.fill(0.15);
-  a.models = {{"bswarm[noise=white]", {0.9, 0.8}, {1, 2}, 0.85, 1.5, 1}, {"boids", {0.1, NAN}, {2, 0}, 0.1, 2, 0}};
+  a.models = {{"bswarm[noise=white]", {0.9, 0.8}, {1, 2}, 0.85, 1.5, 1}, {"boids", {0.1, NAN}, {2, 0}, 0.1, 2, 0, {0.8, 0.25, 1.35}}};
   return a;
 }
 
 TEST(AcrossReport, TextByHand) {
   EXPECT_EQ(across_text(sample(), {}),
             "Rank (score) on 2 recordings\n"
-            " model                      one      two,b  mean rank  first\n"
-            " bswarm[noise=white]  1 (0.900)  2 (0.800)       1.50      1\n"
-            " boids                2 (0.100)          –       2.00      0\n");
+            " model                      one      two,b  mean rank  first       lead of the first\n"
+            " bswarm[noise=white]  1 (0.900)  2 (0.800)       1.50      1                       –\n"
+            " boids                2 (0.100)          –       2.00      0  0.800 (0.250 .. 1.350)\n");
 }
 
 TEST(AcrossReport, CsvByHand) {
@@ -47,6 +47,9 @@ TEST(AcrossReport, JsonHoldsEverything) {
   EXPECT_EQ(json["recordings"][1]["weights"]["mu"], 0.2);
   EXPECT_EQ(json["models"][0]["rank"], (std::vector<int>{1, 2}));
   EXPECT_TRUE(json["models"][1]["score"][1].is_null());
+  EXPECT_TRUE(json["models"][0]["lead_of_first"].is_null());
+  EXPECT_EQ(json["models"][1]["lead_of_first"], 0.8);
+  EXPECT_EQ(json["models"][1]["lead_ci"], (std::vector<double>{0.25, 1.35}));
 }
 
 TEST(AcrossReport, PaperTablesHaveOneColumnPerRecording) {
@@ -65,6 +68,17 @@ TEST(AcrossReport, SentenceSaysWhoIsFirstAndHowOften) {
   EXPECT_EQ(across_sentence(a), "bswarm[noise=white] is first on all 2 recordings");
   a.models[0].mean_rank = NAN;
   EXPECT_EQ(across_sentence(a), "No model could be scored on any recording");
+}
+
+TEST(AcrossReport, DetailSaysOverWhomTheLeadHoldsBeyondTheseRecordings) {
+  Across a = sample();
+  EXPECT_THAT(across_detail(a), HasSubstr("the lead of bswarm[noise=white] holds over every other model (95 %)."));
+  a.models.push_back({"rvo", {0.1, 0.7}, {3, 3}, 0.4, 3, 0, {0.45, -0.1, 1}});
+  EXPECT_THAT(across_detail(a), HasSubstr("holds over boids, but not over rvo (95 %)."));
+  a.models[1].lead.lower = -1;
+  EXPECT_THAT(across_detail(a), HasSubstr("holds over no other model (95 %)."));
+  a.models[1].lead = a.models[2].lead = {0.8};
+  EXPECT_THAT(across_detail(a), Not(HasSubstr("holds")));
 }
 
 TEST(AcrossReport, PageLinksToEveryReportAndShowsHostileNamesAsText) {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "cli/checkpoints.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/interrupt.h"
+#include "libtrack/error.h"
+#include "reports/run_directory.h"
+
+namespace swarmfit::cli {
+namespace {
+
+std::string path_in(const std::string& dir) { return dir + "/checkpoint"; }
+
+bool is_unfinished(const std::string& dir) {
+  try {
+    unfinished_run(dir);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+Checkpoint checkpoint_in(const std::string& dir, const RunIdentity& run, bool resume) {
+  if (!resume || !std::filesystem::exists(path_in(dir))) return {path_in(dir), run, [dir, text = run.config] { begin_run(dir, text); }};
+  return {path_in(dir), run};
+}
+
+void remove_checkpoint(const std::string& dir) {
+  std::error_code not_there;
+  std::filesystem::remove(path_in(dir), not_there);
+}
+
+int stopped_before_the_end(const std::string& dir) {
+  if (is_unfinished(dir))
+    std::fprintf(stderr, "swarmfit: stopped before the end; to go on: swarmfit resume %s\n", dir.c_str());
+  else
+    std::fprintf(stderr, "swarmfit: interrupted; nothing was written\n");
+  return kInterrupted;
+}
+
+}  // namespace swarmfit::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The checkpoint of a run: everything that it has computed and would take long to compute again. A run is a function of its inputs alone,
+// so one that starts again and finds its simulations here takes the same path to the same bits, and nothing else of its state needs to be
+// kept.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "libtrack/file.h"
+
+namespace swarmfit {
+
+// What everything in a checkpoint is a function of: all of it must be the same when a run goes on.
+struct RunIdentity {
+  std::string version;
+  std::string recording;  // SHA-256 of its file; empty: the run has none
+  std::string config;     // text of config.toml
+};
+
+// A file that only grows: a head that says of which run it is, then records, each sealed by a SHA-256 over everything before it. A record
+// that is torn or altered ends the checkpoint there, and the run computes again what followed. Safe against kill -9 after every add(); a
+// power cut may cost the latest records. All members may be called from several threads at once.
+class Checkpoint {
+ public:
+  using Record = std::pair<std::string, std::string>;  // key of 64 hexadecimal digits (sha256_hex), and what is kept under it
+
+  // A new one. Nothing is touched before the first add(), when all input has been found good: then `prepare` is called, which must create
+  // the folder, and whatever was at `path` is replaced.
+  Checkpoint(std::string path, const RunIdentity& run, std::function<void()> prepare);
+  // Takes up the one at `path`. Throws InputError if there is none, if it belongs to another run, or if its head is damaged.
+  Checkpoint(std::string path, const RunIdentity& run);
+
+  std::optional<std::string> find(const std::string& key) const;
+  // Throws RunError when the disk is full; what was added before stays good.
+  void add(std::span<const Record> records);
+
+  std::size_t size() const;
+
+ private:
+  void read(std::string_view records);
+
+  std::string path_, head_;
+  std::function<void()> prepare_;
+  std::map<std::string, std::string, std::less<>> kept_;
+  std::string seal_;  // of the last record
+  std::optional<AppendedFile> file_;
+  mutable std::mutex lock_;
+};
+
+}  // namespace swarmfit
