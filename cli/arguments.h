@@ -64,8 +64,8 @@ struct RecoverArguments {
   std::vector<std::string> models, planted, set;
   std::string preset, out, budget = "quick", protocol = "default", scoring, observation_error, lags, resolution, calibration;
   std::int64_t max_evaluations = 0, frames = 300;
-  double max_time = 0;  // [s]; 0: none
-  bool resume = false;  // take up the checkpoint in `out`
+  double max_time = 0;      // [s]; 0: none
+  bool resume = false;      // take up the checkpoint in `out`
   bool parameters = false;  // of one model, instead of which model
   int seeds = 10, agents = 10, dims = 3;
   double fps = 100, noise = 0, dropout = 0, spread = 2;

@@ -8,8 +8,8 @@
 
 namespace swarmfit::cli {
 
-// A new one, which makes the folder a run's (begin_run) as soon as there is something to keep; with `resume` the one that is there. What was
-// interrupted before it had one is begun anew.
+// A new one, which makes the folder a run's (begin_run) as soon as there is something to keep; with `resume` the one that is there. What
+// was interrupted before it had one is begun anew.
 Checkpoint checkpoint_in(const std::string& dir, const RunIdentity& run, bool resume);
 
 // When everything has been written.

@@ -249,7 +249,8 @@ struct Program {
   }
 
   void add_resume() {
-    auto& sub = command("resume", "go on with an interrupted fit, compare, recover or power; same final bits", [this] { return resume_run(resume); });
+    auto& sub = command("resume", "go on with an interrupted fit, compare, recover or power; same final bits",
+                        [this] { return resume_run(resume); });
     sub.add_option("RUN_DIR", resume.dir, "its run directory, started from the folder in which the run was started")->required();
     sub.add_option("--threads", resume.threads, "threads to use, 0 for all cores; never changes a result")->check(CLI::NonNegativeNumber);
     add_max_time(sub, resume.max_time);

@@ -59,7 +59,8 @@ StudyProgress::StudyProgress(bool quiet, std::size_t all)
 std::string StudyProgress::before() const {
   std::string out = fmt::format("comparison {} of {}", done_ + 1, all_);
   if (computed_ > 0)
-    out += fmt::format(", about {:.0f} min left", seconds(spent_) / 60 * static_cast<double>(all_ - done_) / static_cast<double>(computed_));
+    out +=
+        fmt::format(", about {:.0f} min left", seconds(spent_) / 60 * static_cast<double>(all_ - done_) / static_cast<double>(computed_));
   return out + ": ";
 }
 

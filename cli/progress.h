@@ -41,8 +41,8 @@ class StudyProgress {
   std::size_t all_, done_ = 0;
   std::size_t computed_ = 0;  // of those done; the others were in a checkpoint
   bool computing_ = false;
-  std::chrono::steady_clock::duration spent_{};          // on those computed
-  std::chrono::steady_clock::time_point last_;  // when one was done
+  std::chrono::steady_clock::duration spent_{};  // on those computed
+  std::chrono::steady_clock::time_point last_;   // when one was done
   ProgressLine line_;
 };
 

@@ -12,10 +12,8 @@
 namespace swarmfit {
 
 template <class T>
-  requires std::is_trivially_copyable_v<T>
-void put(std::string& to, const T& value) {
-  to.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
+requires std::is_trivially_copyable_v<T>
+void put(std::string& to, const T& value) { to.append(reinterpret_cast<const char*>(&value), sizeof value); }
 
 inline void put(std::string& to, const std::string& text) {
   put(to, static_cast<std::uint32_t>(text.size()));

@@ -42,7 +42,7 @@ Band band_of(const Law& law, const Target& target);
 //   least 1/(1 + recordings). The model was fitted to the real one, which lies nearer for that; a search that misses the right parameters
 //   makes it small even of a model that made the recording (docs/certainty.md).
 // - group, set_p: by the model confidence set at 95 %.
-// - lower, upper, lead_lower, lead_upper: basic bootstrap intervals.
+// - lower, upper, lead_lower, lead_upper: basic bootstrap intervals, an eighth wider since the law is fitted.
 // - own: mean over its own recordings.
 void fill_certainty(std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting, int pooled);
 

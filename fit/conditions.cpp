@@ -15,8 +15,7 @@ namespace swarmfit {
 namespace {
 
 // Everybody of the first frame, for the whole length of the recording.
-std::vector<Presence::Visit> constant_visits(const Tracks& tracks) {
-  auto visits = recorded_visits(tracks);
+std::vector<Presence::Visit> constant_visits(const Tracks& tracks, std::vector<Presence::Visit> visits) {
   const auto first = tracks.frames().front().number;
   std::erase_if(visits, [&](const Presence::Visit& v) { return v.enter != first; });
   for (auto& v : visits) v.leave = tracks.frames().back().number;
@@ -24,10 +23,9 @@ std::vector<Presence::Visit> constant_visits(const Tracks& tracks) {
 }
 
 // Individuals that were there but not tracked: there throughout, starting where and as fast as somebody was recorded at some time.
-std::vector<Presence::Visit> unseen_visits(const Tracks& tracks, int count) {
+std::vector<Presence::Visit> unseen_visits(const Tracks& tracks, const std::vector<Presence::Visit>& recorded, int count) {
   constexpr Rng rng{0};  // the same for all seeds: they are part of the conditions
   std::vector<Presence::Visit> visits;
-  const auto recorded = recorded_visits(tracks);
   for (int k = 0; k < count; ++k) {
     const auto u = rng.uniform2(Stream::start, 0, static_cast<std::uint32_t>(k));
     const auto row = static_cast<Index>(u[0] * static_cast<double>(tracks.rows()));
@@ -150,9 +148,10 @@ Conditions make_conditions(const Tracks& recording, const ConditionOptions& opti
   if (recording.dims() == 2) c.sigma[2] = 0;
   c.world.dims = recording.dims();
   c.world.bounds = parse_arena(options.arena, recording);
-  auto visits = options.presence == ConditionOptions::Presence::recorded ? recorded_visits(recording) : constant_visits(recording);
+  const auto recorded = recorded_visits(recording, c.localisation.white ? c.localisation.sigma : Eigen::Array3d(Eigen::Array3d::Zero()));
+  auto visits = options.presence == ConditionOptions::Presence::recorded ? recorded : constant_visits(recording, recorded);
   c.unseen = unseen_individuals(recording, options.population);
-  const auto unseen = unseen_visits(recording, c.unseen);
+  const auto unseen = unseen_visits(recording, recorded, c.unseen);
   visits.insert(visits.end(), unseen.begin(), unseen.end());
   c.world.add(std::make_unique<Presence>(std::move(visits)));
   // Neighbours of the whole group are nearer than those among the tracked.

@@ -44,8 +44,8 @@ struct Conditions {
 // Throws InputError where the recording cannot carry a fit: no motion, one individual only, an arena that excludes recorded positions.
 Conditions make_conditions(const Tracks& recording, const ConditionOptions& options);
 
-// Those of a part that was not fitted. Who is there, and where and how fast they enter, is its own; scales, localisation error, lags and what
-// models are told of the recording were learned from the part that was: they may not know the answer.
+// Those of a part that was not fitted. Who is there, and where and how fast they enter, is its own; scales, localisation error, lags and
+// what models are told of the recording were learned from the part that was: they may not know the answer.
 Conditions held_out_conditions(const Tracks& held_out, const Conditions& fitted);
 
 // L, NND and V of a recording; NND is 0 when no frame has two individuals.

@@ -2,72 +2,135 @@
 #include "fit/entry.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "libeval/energy.h"
 
 namespace swarmfit {
 namespace {
 
-constexpr std::size_t kFrames = 5;
+constexpr std::size_t kMostFrames = 9;
+constexpr std::size_t kFewest = 20;                     // windows that an error must rest on
+constexpr Index kWindows = 20000;                       // that are looked at, evenly spread over the recording
+constexpr double kNormalQuartile = 0.6744897501960817;  // median |z| of a standard normal
 
-// Line and parabola through the first frames of a visit, per axis; times in frames from their middle.
-struct Start {
-  std::size_t n = 0;                                                                // frames
-  Eigen::Array3d line = Eigen::Array3d::Zero(), parabola = Eigen::Array3d::Zero();  // derivatives at the first frame [unit/frame]
-  Eigen::Array3d residual = Eigen::Array3d::Zero();                                 // sum of squares about the parabola [unit²]
-  double line_variance = 0, parabola_variance = 0;                                  // of the derivatives, in variances of a position
+// A derivative at the first of some frames, per frame: sum of w_k x_k.
+struct Filter {
+  std::vector<double> w;
+
+  double operator()(const Tracks& tracks, const Index* rows, Index axis) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < w.size(); ++k) sum += w[k] * tracks.pos()(rows[k], axis);
+    return sum;
+  }
+  double norm() const {
+    double sum = 0;
+    for (const double weight : w) sum += weight * weight;
+    return sum;
+  }
 };
 
-Start start_of(const Tracks& tracks, std::span<const Index> run) {
-  Start s;
-  s.n = std::min(run.size(), kFrames);
-  if (s.n < 2) return s;
-  const double first = -0.5 * static_cast<double>(s.n - 1);
-  const auto time = [&](std::size_t k) { return first + static_cast<double>(k); };
+// That of a line or parabola through n frames, least squares: by polynomials orthogonal on the frames, counted from their middle.
+Filter derivative(std::size_t n, int degree) {
+  const double first = -0.5 * static_cast<double>(n - 1);
   double t2 = 0, q2 = 0;
-  for (std::size_t k = 0; k < s.n; ++k) t2 += time(k) * time(k);
-  const auto bend = [&](std::size_t k) { return time(k) * time(k) - t2 / static_cast<double>(s.n); };  // orthogonal to 1 and t
-  Eigen::Array3d mean = Eigen::Array3d::Zero(), slope = mean, curve = mean;
-  const auto pos = [&](std::size_t k) -> Eigen::Array3d { return tracks.pos().row(run[k]).transpose(); };
-  for (std::size_t k = 0; k < s.n; ++k) {
-    q2 += bend(k) * bend(k);
-    mean += pos(k) / static_cast<double>(s.n);
-    slope += time(k) * pos(k) / t2;
-  }
-  s.line = s.parabola = slope;
-  s.line_variance = s.parabola_variance = 1 / t2;
-  if (s.n < 3) return s;
-  for (std::size_t k = 0; k < s.n; ++k) curve += bend(k) * pos(k) / q2;
-  s.parabola += 2 * first * curve;
-  s.parabola_variance += 4 * first * first / q2;
-  for (std::size_t k = 0; k < s.n; ++k) s.residual += (pos(k) - mean - time(k) * slope - bend(k) * curve).square();
-  return s;
-}
-
-// What all visits say of the two, per axis.
-struct Judgement {
-  Eigen::Array3d error = Eigen::Array3d::Zero();                    // standard deviation of positions about parabolas [unit]
-  Eigen::Array3d bias = Eigen::Array3d::Zero();                     // mean square of the line's [unit²/frame²]
-  Eigen::Array<bool, 3, 1> bent = decltype(bent)::Constant(false);  // the parabola errs less
-};
-
-Judgement judge(const std::vector<Start>& starts) {
-  Judgement out;
-  Eigen::Array3d residual = Eigen::Array3d::Zero(), apart = residual;
-  double free = 0, chance = 0, bendable = 0;
-  for (const Start& s : starts) {
-    if (s.n < 3) continue;
-    residual += s.residual;
-    free += static_cast<double>(s.n - 3);
-    apart += (s.parabola - s.line).square();
-    chance += s.parabola_variance - s.line_variance;
-    bendable += 1;
-  }
-  if (free == 0) return out;
-  const Eigen::Array3d variance = residual / free;
-  out.error = variance.sqrt();
-  out.bias = (apart - chance * variance).max(0) / bendable;
-  out.bent = apart > 2 * chance * variance;
+  for (std::size_t k = 0; k < n; ++k) t2 += (first + static_cast<double>(k)) * (first + static_cast<double>(k));
+  const auto bend = [&](std::size_t k) {
+    return (first + static_cast<double>(k)) * (first + static_cast<double>(k)) - t2 / static_cast<double>(n);
+  };
+  for (std::size_t k = 0; k < n; ++k) q2 += bend(k) * bend(k);
+  Filter out;
+  for (std::size_t k = 0; k < n; ++k) out.w.push_back((first + static_cast<double>(k)) / t2 + (degree == 2 ? 2 * first * bend(k) / q2 : 0));
   return out;
 }
+
+// Shortest first: of two that err alike, the one that sees less of what came later.
+std::vector<Filter> filters() {
+  std::vector<Filter> out{derivative(2, 1)};
+  for (const std::size_t n : {std::size_t{3}, std::size_t{4}, std::size_t{5}, std::size_t{7}, kMostFrames})
+    for (const int degree : {1, 2}) out.push_back(derivative(n, degree));
+  return out;
+}
+
+// What the recording says of one filter, on one axis [unit/frame].
+struct Judgement {
+  double variance = INFINITY;          // of its error; infinite: cannot be told
+  double mean = 0, spread = INFINITY;  // of true velocities: mean and variance over all individuals and frames
+};
+
+// Runs of rows, each as long as a filter needs on both sides of its middle.
+std::vector<std::span<const Index>> windows(const Tracks& tracks, std::size_t length) {
+  std::vector<std::span<const Index>> out;
+  Index all = 0;
+  for_each_segment(tracks, static_cast<Index>(length),
+                   [&](std::span<const Index> rows) { all += static_cast<Index>(rows.size() - length + 1); });
+  const Index stride = std::max<Index>(1, all / kWindows);
+  Index number = 0;
+  for_each_segment(tracks, static_cast<Index>(length), [&](std::span<const Index> rows) {
+    for (std::size_t k = 0; k + length <= rows.size(); ++k)
+      if (number++ % stride == 0) out.push_back(rows.subspan(k, length));
+  });
+  return out;
+}
+
+// From before and from after, the same filter sees the same velocity: half the variance of the difference is that of its error, whether it
+// comes from the camera, from curvature or from chance. Position errors of the frame in the middle count in both, with opposite signs.
+Judgement judge(const Tracks& tracks, const Filter& filter, Index axis, double sigma) {
+  const std::size_t n = filter.w.size();
+  Filter before = filter;
+  std::reverse(before.w.begin(), before.w.end());
+  for (double& weight : before.w) weight = -weight;
+  std::vector<double> apart;
+  Moments velocity;
+  for (const auto& rows : windows(tracks, 2 * n - 1)) {
+    const double after = filter(tracks, rows.data() + n - 1, axis);
+    apart.push_back(std::abs(after - before(tracks, rows.data(), axis)));
+    velocity.add(after);
+  }
+  if (apart.size() < kFewest) return {};
+  const double sd = quantile(std::move(apart), 0.95) / 1.959963984540054, white = sigma * sigma,
+               shared = 2 * filter.w.front() * filter.w.front();
+  Judgement out;
+  out.variance = std::max(white * filter.norm(), (sd * sd - shared * white) / 2);
+  out.mean = velocity.mean;
+  out.spread = std::max(0.0, velocity.sd() * velocity.sd() - out.variance);
+  return out;
+}
+
+// Velocity and the variance of its error [unit/frame].
+struct Entry {
+  double velocity = 0, variance = 0;
+};
+
+// One axis of the recording.
+class Axis {
+ public:
+  Axis(const Tracks& tracks, Index axis, double sigma) : tracks_(tracks), axis_(axis), filters_(filters()) {
+    for (const Filter& f : filters_) judgements_.push_back(judge(tracks, f, axis, sigma));
+  }
+
+  // At the first of an unbroken run.
+  Entry operator()(std::span<const Index> run) const {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < filters_.size(); ++k)
+      if (filters_[k].w.size() <= run.size() && judgements_[k].variance < judgements_[best].variance) best = k;
+    const Judgement& j = judgements_[best];
+    if (run.size() < 2) return {j.mean, std::isfinite(j.spread) ? j.spread : 0};
+    const double seen = filters_[best](tracks_, run.data(), axis_);
+    if (!std::isfinite(j.variance)) return {seen, 0};
+    // What is known of any velocity beforehand counts, too: without it, what simulations draw would scatter by the error of what was seen
+    // and once more by their own, and start too fast.
+    const double share = j.variance > 0 ? j.spread / (j.spread + j.variance) : 1;
+    return {j.mean + share * (seen - j.mean), share * j.variance};
+  }
+
+ private:
+  const Tracks& tracks_;
+  Index axis_;
+  std::vector<Filter> filters_;
+  std::vector<Judgement> judgements_;  // of each filter
+};
 
 // The unbroken run of rows that starts at rows[k].
 std::span<const Index> run_from(const Tracks& tracks, std::span<const Index> rows, std::size_t k) {
@@ -78,9 +141,10 @@ std::span<const Index> run_from(const Tracks& tracks, std::span<const Index> row
 
 }  // namespace
 
-std::vector<Presence::Visit> recorded_visits(const Tracks& tracks) {
+std::vector<Presence::Visit> recorded_visits(const Tracks& tracks, const Eigen::Array3d& sigma) {
   std::vector<Presence::Visit> visits;
-  std::vector<Start> starts;
+  std::vector<Axis> axes;
+  for (Index a = 0; a < tracks.dims(); ++a) axes.emplace_back(tracks, a, sigma[a]);
   const auto frame = tracks.frame();
   const auto episode_of = [&](std::int64_t f) {
     const auto e = tracks.episodes();
@@ -93,21 +157,19 @@ std::vector<Presence::Visit> recorded_visits(const Tracks& tracks) {
       std::size_t end = k + 1;
       while (end < rows.size() && episode_of(frame_of(end)) == episode_of(frame_of(k))) ++end;
       const Index first = rows[k];
-      const Eigen::Array3d recorded =
-          tracks.has_velocity() ? Eigen::Array3d(tracks.vel().row(first).transpose()) : Eigen::Array3d::Constant(NAN);
-      visits.push_back({t, tracks.kind(first), frame_of(k), frame_of(end - 1), tracks.pos().row(first).transpose(), recorded});
-      starts.push_back(start_of(tracks, run_from(tracks, rows, k)));
+      Presence::Visit visit{
+          t, tracks.kind(first), frame_of(k), frame_of(end - 1), tracks.pos().row(first).transpose(), Eigen::Array3d::Zero()};
+      const bool recorded = tracks.has_velocity() && tracks.vel().row(first).isFinite().all();
+      if (recorded) visit.vel = tracks.vel().row(first).transpose();
+      const auto run = run_from(tracks, rows, k);
+      for (std::size_t a = 0; a < axes.size() && !recorded; ++a) {
+        const Entry entry = axes[a](run);
+        visit.vel[static_cast<Index>(a)] = entry.velocity / tracks.dt();
+        visit.vel_error[static_cast<Index>(a)] = std::sqrt(entry.variance) / tracks.dt();
+      }
+      visits.push_back(visit);
       k = end;
     }
-  }
-  const Judgement judgement = judge(starts);
-  for (std::size_t v = 0; v < visits.size(); ++v) {
-    const Start& s = starts[v];
-    if (visits[v].vel.isFinite().all()) continue;
-    const Eigen::Array3d variance = judgement.error.square();
-    const auto& bent = judgement.bent;
-    visits[v].vel = bent.select(s.parabola, s.line) / tracks.dt();
-    visits[v].vel_error = bent.select(s.parabola_variance * variance, s.line_variance * variance + judgement.bias).sqrt() / tracks.dt();
   }
   return visits;
 }

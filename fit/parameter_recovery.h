@@ -36,8 +36,7 @@ using OnParameterCase = std::function<bool(std::size_t done)>;  // returning fal
 
 // options.planted is one model; options.spread is not used: true values are drawn evenly from the central 90 % of the search's axes, of
 // which the intervals' prior is the whole. Draws until options.seeds recordings carry a fit, or ten times as many have not.
-ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case = {},
-                                     Checkpoint* checkpoint = nullptr);
+ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case = {}, Checkpoint* checkpoint = nullptr);
 
 // A case as bytes (fit/kept.h).
 void put(std::string& to, const ParameterCase& one);

@@ -124,11 +124,12 @@ Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on
     for (int k = 1; k <= options.seeds; ++k) {
       const auto seed = static_cast<std::uint64_t>(k);
       compare_options.seed = seed;
-      add_case(out, *kept<RecoveryCase>(hooks.checkpoint, fmt::format("case {} {}", model.name, seed), [&] {
-        const auto parameters = varied(model, out.parameters.back(), options.scales, options.spread, seed, set);
-        const Tracks recording = planted_recording(model, parameters, options.film, options.scales, seed);
-        return std::optional(recovery_case(p, model.name, seed, parameters, compare(recording, compare_options, hooks.on_progress)));
-      }));
+      add_case(
+          out, *kept<RecoveryCase>(hooks.checkpoint, fmt::format("case {} {}", model.name, seed), [&] {
+            const auto parameters = varied(model, out.parameters.back(), options.scales, options.spread, seed, set);
+            const Tracks recording = planted_recording(model, parameters, options.film, options.scales, seed);
+            return std::optional(recovery_case(p, model.name, seed, parameters, compare(recording, compare_options, hooks.on_progress)));
+          }));
       if (on_case && !on_case(out.cases.back())) throw Interrupted{};
     }
   }

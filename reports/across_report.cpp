@@ -36,12 +36,11 @@ Json by_column(const Across& a, const PerColumn<double>& values) {
   return out;
 }
 
-Json interval(const MeanOverRecordings& of) {
-  return std::isfinite(of.lower) ? Json::array({of.lower, of.upper}) : Json(nullptr);
-}
+Json interval(const MeanOverRecordings& of) { return std::isfinite(of.lower) ? Json::array({of.lower, of.upper}) : Json(nullptr); }
 
 PaperTable ranking(const Across& a) {
-  PaperTable t{"across_ranking", "Rank and, in brackets, score of every model on every recording; models by mean rank. In brackets after the lead of "
+  PaperTable t{"across_ranking",
+               "Rank and, in brackets, score of every model on every recording; models by mean rank. In brackets after the lead of "
                "the first: 95 % interval over recordings.",
                {"model"},
                {}};

@@ -71,7 +71,8 @@ std::string unfinished_run(const std::string& dir) {
   const fs::path root = dir;
   if (!fs::is_directory(root) || !is_earlier_run(root))
     throw InputError(dir + ": holds no run; expected the folder of one that was interrupted");
-  if (has_result(root) && !fs::exists(root / "checkpoint")) throw InputError(dir + ": this run is complete; expected one that was interrupted");
+  if (has_result(root) && !fs::exists(root / "checkpoint"))
+    throw InputError(dir + ": this run is complete; expected one that was interrupted");
   const std::string config = read_file((root / "config.toml").string());
   const auto open = config.find("\n["), close = config.find("]\n", open);
   return open == std::string::npos || close == std::string::npos ? "" : config.substr(open + 2, close - open - 2);
@@ -80,8 +81,7 @@ std::string unfinished_run(const std::string& dir) {
 void require_finished_run(const std::string& dir) {
   const fs::path root = dir;
   if (!fs::is_directory(root) || !is_earlier_run(root)) throw InputError(dir + ": holds no run; expected the folder of one");
-  if (!has_result(root))
-    throw InputError(dir + ": this run has not finished; expected one that has (swarmfit resume goes on with it)");
+  if (!has_result(root)) throw InputError(dir + ": this run has not finished; expected one that has (swarmfit resume goes on with it)");
 }
 
 namespace {

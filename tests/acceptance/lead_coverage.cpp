@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Do the intervals of a lead hold it? Recordings made by one model are compared with it and another, fitted on the first half and scored on
-// the second. The true lead is the mean over fresh recordings of the second half made by the planted model, in the place where it was planted,
-// and not where the recordings lie. By hand:
+// the second. The true lead is the mean over fresh recordings of the second half made by the planted model, in the place where it was
+// planted, and not where the recordings lie. By hand:
 //   lead_coverage PLANTED OTHER [RECORDINGS] [FRAMES] [FIRST_SEED]
 #include <fmt/format.h>
 

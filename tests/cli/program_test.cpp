@@ -238,8 +238,9 @@ TEST_F(Program, StudiesGoOnToo) {
            {"recover --parameters -m langevin --seeds 3 --agents 6 --frames 40 ", "recovery.json"}}) {
     fs::remove_all(dir_ / "broken");
     ASSERT_EQ(run(job + "-q --out whole").code, 0);
-    const Result stopped = run("--version >version; { '" SWARMFIT_PROGRAM "' " + job +
-                               "--out broken 2>log & while ! grep -q '^1/' log && kill -0 $!; do sleep 0.01; done; kill -TERM $!; wait $!; }");
+    const Result stopped =
+        run("--version >version; { '" SWARMFIT_PROGRAM "' " + job +
+            "--out broken 2>log & while ! grep -q '^1/' log && kill -0 $!; do sleep 0.01; done; kill -TERM $!; wait $!; }");
     EXPECT_EQ(stopped.code, 130) << job;
     EXPECT_THAT(content(dir_ / "log"), HasSubstr("to go on: swarmfit resume broken"));
     EXPECT_EQ(run("resume broken --max-time 0.001").code, 130) << job;

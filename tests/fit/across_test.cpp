@@ -62,9 +62,9 @@ TEST(Across, LeadsArePairedWithinRecordingsAndShareTheLevel) {
   EXPECT_TRUE(std::isnan(mean_over_recordings(std::vector{.5}, 0.05).lower));
   EXPECT_TRUE(std::isnan(mean_over_recordings({}, 0.05).mean));
 
-  const Across s = across(std::vector{compared("one", {{"a", .5}, {"b", .4}, {"c", .1}}, 0.5),
-                                      compared("two", {{"a", .5}, {"b", .3}, {"c", NAN}}, 0.5),
-                                      compared("three", {{"a", .8}, {"b", .2}, {"c", .1}}, 0.5)});
+  const Across s =
+      across(std::vector{compared("one", {{"a", .5}, {"b", .4}, {"c", .1}}, 0.5), compared("two", {{"a", .5}, {"b", .3}, {"c", NAN}}, 0.5),
+                         compared("three", {{"a", .8}, {"b", .2}, {"c", .1}}, 0.5)});
   EXPECT_TRUE(std::isnan(s.models[0].lead.mean)) << "the first has none over itself";
   ASSERT_EQ(s.models[1].model, "b");
   EXPECT_NEAR(s.models[1].lead.mean, 0.3, 1e-15);

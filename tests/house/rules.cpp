@@ -49,6 +49,7 @@ const std::vector<Library> kLibraries{
     {"zlib.h", {"libtrack", "reports"}, false},
     {"pugixml", {"libtrack"}, false},
     {"openssl/", {"libtrack", "reports"}, false},
+    {"immintrin.h", {"libtrack"}, false},  // intrinsics, which come with the compiler
     {"nlopt", {"fit"}, false},
     {"ceres/", {"fit"}, false},
     {"nlohmann/json_fwd.hpp", {"libeval", "fit", "reports", "cli"}, true},
