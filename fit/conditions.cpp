@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -48,6 +49,15 @@ int unseen_individuals(const Tracks& tracks, int population) {
     throw InputError(
         fmt::format("--population {}: fewer than the {:.1f} individuals seen per frame; expected at least as many", population, seen));
   return static_cast<int>(std::lround(population - seen));
+}
+
+// Would an error of this size make a difference to any metric? Straight flight filmed without error has an error of its own, of rounding
+// and of solvers, that no recording's metrics resolve, and with which simulations differ from it in what it does not matter.
+bool shows(const Tracks& recording, const Eigen::Array3d& sigma) {
+  constexpr std::uint64_t any = 1;
+  constexpr double least = 0.01;  // of a metric's spread
+  const auto share = error_share(recording, sigma, any);
+  return std::any_of(share.begin(), share.end(), [](double s) { return s > least; });
 }
 
 double parse_number(std::string_view text, const std::string& whole) {
@@ -143,7 +153,8 @@ Conditions make_conditions(const Tracks& recording, const ConditionOptions& opti
   if (!(c.scales.speed > 0)) throw InputError(path + ": nothing moves; expected tracks of at least two consecutive frames with motion");
   if (!(c.scales.spacing > 0) || !(c.scales.extent > 0))
     throw InputError(path + ": no frame shows two individuals apart; expected a group, since neighbour distances scale the fit");
-  if (options.error == ConditionOptions::Error::estimate && c.localisation.white) c.sigma = c.localisation.sigma;
+  const bool estimated = options.error == ConditionOptions::Error::estimate && c.localisation.white;
+  if (estimated && shows(recording, c.localisation.sigma)) c.sigma = c.localisation.sigma;
   if (options.error == ConditionOptions::Error::given) c.sigma = Eigen::Array3d::Constant(options.sigma);
   if (recording.dims() == 2) c.sigma[2] = 0;
   c.world.dims = recording.dims();

@@ -14,7 +14,8 @@ namespace swarmfit {
 
 struct ConditionOptions {
   enum class Presence { recorded, constant };
-  enum class Error { estimate, given, none };  // estimate: none where the estimate is not white, since it then measures something else
+  // estimate: none where the estimate is not white, since it then measures something else, or too small to show in any metric
+  enum class Error { estimate, given, none };
 
   Presence presence = Presence::recorded;
   std::string arena = "open";  // open | box | sphere | x0:x1,y0:y1[,z0:z1]

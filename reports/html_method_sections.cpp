@@ -65,6 +65,7 @@ double half_step_change(const Comparison& c, const FitResult& r) {
 std::string error_text(const Comparison& c) {
   const ObservationFacts& o = c.observation;
   if (o.error_source == "none") return "none added";
+  if (o.white && o.sigma.isZero()) return "none added: what was estimated would not show in any metric";
   return fmt::format("{} ({}{})", sigma_text(c), o.error_source, o.error_source == "estimate" && !o.white ? ", but not white" : "");
 }
 

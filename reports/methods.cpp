@@ -47,7 +47,8 @@ std::string metrics_text(const Comparison& c) {
 std::string what_was_done(const Comparison& c) {
   const Budget& b = c.budget;
   const std::string models = fmt::format("{} model{}", c.models.size(), c.models.size() == 1 ? " was" : "s were");
-  const std::string error = c.observation.error_source == "none" ? "" : fmt::format(", localisation error ({})", sigma_text(c));
+  const std::string error =
+      c.observation.error_source == "none" || c.observation.sigma.isZero() ? "" : fmt::format(", localisation error ({})", sigma_text(c));
   const std::string smooth = c.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.observation.smoothing)) : "";
   const int scouts = b.scout.rounds * b.scout.simulations;
   const std::string scouted =
