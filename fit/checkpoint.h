@@ -36,6 +36,7 @@ class Checkpoint {
   // Takes up the one at `path`. Throws InputError if there is none, if it belongs to another run, or if its head is damaged.
   Checkpoint(std::string path, const RunIdentity& run);
 
+  // Of what was there when it was taken up; a run does not ask twice, and need not have in memory what it adds.
   std::optional<std::string> find(const std::string& key) const;
   // Throws RunError when the disk is full; what was added before stays good.
   void add(std::span<const Record> records);
