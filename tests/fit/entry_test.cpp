@@ -93,8 +93,8 @@ TEST(Entry, ALineThatLagsSaysSo) {
 // Velocities that chance changes in every step, and no error: a difference of two frames is off by half the variance of a change (position
 // moves by the mean of the velocities before and after it), what is drawn has neither more nor less energy than the recording.
 TEST(Entry, WhatIsDrawnIsAsFastAsTheRecording) {
-  constexpr std::uint32_t tracks = 400;
-  constexpr double memory = 0.9;
+  constexpr std::uint32_t tracks = 4000;
+  constexpr double memory = 0.7;
   std::map<std::pair<std::uint32_t, std::int64_t>, double> place;
   std::vector<double> first(tracks);
   const auto draw = [](std::uint32_t t, std::int64_t f) { return Rng{9}.normal2(Stream::probe, static_cast<std::uint64_t>(f), t)[0]; };
@@ -116,6 +116,20 @@ TEST(Entry, WhatIsDrawnIsAsFastAsTheRecording) {
   }
   EXPECT_NEAR(energy, 1, 3 * std::sqrt(2.0 / tracks));
   EXPECT_NEAR(std::sqrt(error), visits.front().vel_error[0], 0.2 * visits.front().vel_error[0]);
+}
+
+// Straight paths that differ by no more than the camera errs: what is drawn differs as they do, not by twice that error more.
+TEST(Entry, LocalisationErrorIsNotTakenForSpeed) {
+  constexpr std::uint32_t tracks = 2000;
+  const double sigma = 0.3, spread = sigma / std::sqrt(60) / kDt;
+  const auto truth = [&](std::uint32_t k) { return 40 + spread * Rng{8}.normal2(Stream::probe, 0, k)[0]; };
+  const auto visits = recorded_visits(
+      with_error(filmed(tracks, 20, [&](double t, std::uint32_t k) { return Array3d(truth(k) * t, 0, 0); }), Array3d::Constant(sigma), 5),
+      Array3d::Constant(sigma));
+  double drawn = 0;
+  for (const auto& v : visits) drawn += (std::pow(v.vel[0] - 40, 2) + std::pow(v.vel_error[0], 2)) / tracks;
+  EXPECT_NEAR(drawn / (spread * spread), 1, 0.12);
+  EXPECT_NEAR(mean_square_z(visits, truth), 1, 0.1);
 }
 
 // Straight on in a wind: one who is seen once moves with it, give or take what the others differ by.
