@@ -22,7 +22,7 @@ std::optional<T> kept(Checkpoint* checkpoint, const std::string& name, const Mak
     if (from.take<bool>()) take(from, part.emplace());
     if (from.ended()) return part;
   }
-  const std::optional<T> part = make();
+  std::optional<T> part = make();
   std::string bytes;
   put(bytes, part.has_value());
   if (part) put(bytes, *part);
