@@ -77,8 +77,9 @@ void StudyProgress::done(const std::string& what) {
   }
   computing_ = false;
   last_ = now;
+  ++done_;
   line_.wipe();
-  if (!quiet_) std::fprintf(stderr, "%zu/%zu: %s\n", ++done_, all_, what.c_str());
+  if (!quiet_) std::fprintf(stderr, "%zu/%zu: %s\n", done_, all_, what.c_str());
 }
 
 }  // namespace swarmfit::cli

@@ -19,12 +19,12 @@ std::optional<T> kept(Checkpoint* checkpoint, const std::string& name, const Mak
   if (const auto bytes = checkpoint->find(key)) {
     Taker from(*bytes);
     std::optional<T> part;
-    if (from.take<bool>()) take(from, part.emplace());
+    if (from.take<std::uint8_t>() == 1) take(from, part.emplace());
     if (from.ended()) return part;
   }
   std::optional<T> part = make();
   std::string bytes;
-  put(bytes, part.has_value());
+  put(bytes, std::uint8_t{part.has_value()});
   if (part) put(bytes, *part);
   const Checkpoint::Record record{key, std::move(bytes)};
   checkpoint->add({&record, 1});

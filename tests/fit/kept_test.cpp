@@ -66,7 +66,7 @@ TEST_F(KeptTest, NothingIsKeptAsNothing) {
 }
 
 TEST_F(KeptTest, WhatCannotBeReadIsMadeAgain) {
-  const std::string whole = bytes_of(true) + bytes_of(recovery_example());
+  const std::string whole = bytes_of(std::uint8_t{1}) + bytes_of(recovery_example());
   for (const std::string& bytes : {whole.substr(0, whole.size() - 1), whole + '\0', std::string("\1\xff\xff\xff\xff", 5), std::string()}) {
     const Checkpoint::Record record{sha256_hex("one"), bytes};
     Checkpoint(path(), kRun, [] {}).add({&record, 1});
