@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libeval/independent.h"
 #include "libeval/lags.h"
 #include "libeval/skill.h"
 
@@ -146,6 +147,7 @@ ObservationFacts observation_facts(const Conditions& c, const Target& target, co
   facts.white = c.localisation.white;
   facts.smoothing = c.options.smoothing;
   facts.velocity = c.options.velocity == VelocitySource::difference ? "difference" : "recorded";
+  facts.independent = independent_samples(c.recording, c.metrics);
   facts.error_share = error_share(c.recording, c.sigma, options.seed, c.metrics.lags);
   facts.longest_lag = longest_lag(c.recording);
   const std::size_t columns = target.columns().size();

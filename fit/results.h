@@ -60,6 +60,7 @@ struct ObservationFacts {
   bool white = true;                              // the estimate is consistent with white error
   double smoothing = 0;                           // standard deviation of the Gaussian smoothing of both sides [frames]; 0: none
   std::string velocity;                           // "difference" or "recorded"
+  PerColumn<double> independent{};                // effective sample size of each column (libeval/independent.h); NaN undefined
   PerColumn<double> error_share{};                // share of each column's variance that is localisation error; NaN unknown
   PerColumn<bool> drowned{};                      // more of it is error than CompareOptions::error_limit
   PerColumn<bool> used{};                         // is the column in the default score?

@@ -90,26 +90,38 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-void put(MetricSamples& out, std::size_t column, double value) {
-  std::isfinite(value) ? out.values[column].push_back(value) : void(++out.undefined[column]);
-}
+// Books values; which row each is of only if that is wanted.
+class Book {
+ public:
+  Book(MetricSamples& out, bool keep_rows) : out_(out), keep_rows_(keep_rows) {}
+  void put(std::size_t column, Index row, double value) {
+    if (!std::isfinite(value)) return void(++out_.undefined[column]);
+    out_.values[column].push_back(value);
+    if (keep_rows_) out_.rows[column].push_back(row);
+  }
+  MetricSamples& samples() { return out_; }
+
+ private:
+  MetricSamples& out_;
+  bool keep_rows_;
+};
 
 // The columns of one lag, the first of which is `first`. `next` is the row one lag ahead, `dt` the time until then.
 class Motion {
  public:
-  Motion(const Velocities& v, std::span<const Index> next, double dt, std::size_t first, MetricSamples& out)
-      : v_(v), next_(next), dt_(dt), first_(first), out_(out) {}
+  Motion(const Velocities& v, std::span<const Index> next, double dt, std::size_t first, Book& book)
+      : v_(v), next_(next), dt_(dt), first_(first), book_(book), out_(book.samples()) {}
 
   void take() {
     motion();
     turning();
     const double v = mean(out_.values[first_ + kSpeed]), dt = dt_;
     const std::array<double, kMotionMetrics> natural = {v, v / dt, 1 / dt, 1 / (dt * dt), v / (dt * dt)};
-    std::copy(natural.begin(), natural.end(), out_.natural.begin() + static_cast<std::ptrdiff_t>(first_));
+    std::copy(natural.begin(), natural.end(), book_.samples().natural.begin() + static_cast<std::ptrdiff_t>(first_));
   }
 
  private:
-  void put(Metric metric, double value) { swarmfit::put(out_, first_ + metric, value); }
+  void put(Metric metric, Index row, double value) { book_.put(first_ + metric, row, value); }
   Index next(Index row) const { return next_[static_cast<std::size_t>(row)]; }
   Index rows() const { return static_cast<Index>(next_.size()); }
 
@@ -117,14 +129,14 @@ class Motion {
   void motion() {
     for (Index k = 0; k < rows(); ++k) {
       if (!v_.exists(k)) continue;
-      put(kSpeed, v_.speed(k));
+      put(kSpeed, k, v_.speed(k));
       const Index k1 = next(k);
       if (!v_.exists(k1)) continue;
       const Vec change = v_[k1] - v_[k];
-      put(kAcceleration, length(change) / dt_);
+      put(kAcceleration, k, length(change) / dt_);
       const Index k2 = next(k1);
       if (!v_.exists(k2)) continue;
-      put(kJerk, length((v_[k2] - v_[k1]) - change) / (dt_ * dt_));
+      put(kJerk, k, length((v_[k2] - v_[k1]) - change) / (dt_ * dt_));
     }
   }
 
@@ -138,11 +150,11 @@ class Motion {
       const double slower = std::min(v_.speed(k), v_.speed(k1));
       double& now = omega[static_cast<std::size_t>(k)];
       if (slower > 0 && slower >= still) now = angle(v_[k], v_[k1]) / dt_;
-      put(kAngularVelocity, now);
+      put(kAngularVelocity, k, now);
     }
     for (Index k = 0; k < rows(); ++k)
       if (turns(k) && turns(next(k)))
-        put(kAngularAcceleration, (omega[static_cast<std::size_t>(next(k))] - omega[static_cast<std::size_t>(k)]) / dt_);
+        put(kAngularAcceleration, k, (omega[static_cast<std::size_t>(next(k))] - omega[static_cast<std::size_t>(k)]) / dt_);
   }
   bool turns(Index row) const { return v_.exists(row) && v_.exists(next(row)); }
 
@@ -150,18 +162,19 @@ class Motion {
   std::span<const Index> next_;
   double dt_;
   std::size_t first_;
-  MetricSamples& out_;
+  Book& book_;
+  const MetricSamples& out_;
 };
 
 // d and eta; v: from one frame to the next.
-void neighbours(const Tracks& tracks, const Velocities& v, MetricSamples& out) {
+void neighbours(const Tracks& tracks, const Velocities& v, Book& out) {
   const Nearest nearest = nearest_neighbours(tracks);
   for (Index k = 0; k < tracks.rows(); ++k) {
     const Index j = nearest.row[static_cast<std::size_t>(k)];
     const double d = nearest.distance[static_cast<std::size_t>(k)];
-    put(out, kDistance, d);
+    out.put(kDistance, k, d);
     if (!v.exists(k) || (j >= 0 && !v.exists(j))) continue;
-    put(out, kVelocityDifference, j >= 0 && d >= kCoincident ? std::abs(v.speed(j) - v.speed(k)) / d : kUndefined);
+    out.put(kVelocityDifference, k, j >= 0 && d >= kCoincident ? std::abs(v.speed(j) - v.speed(k)) / d : kUndefined);
   }
 }
 
@@ -179,20 +192,21 @@ MetricSamples metric_samples(const Tracks& tracks, const MetricOptions& options)
   require_velocities(tracks, options);
   MetricSamples out(columns_at(options.lags));
   for (auto& values : out.values) values.reserve(static_cast<std::size_t>(tracks.rows()));
+  Book book(out, options.keep_rows);
   const double dt = tracks.dt();
   const Velocities now(tracks, options.velocity, tracks.next(), dt);
   std::size_t first = 0;
   for (const int lag : options.lags) {
     if (lag == 1) {
-      Motion(now, tracks.next(), dt, first, out).take();
+      Motion(now, tracks.next(), dt, first, book).take();
     } else {
       const std::vector<Index> ahead = rows_ahead(tracks, lag);
       const double lagged = lag * dt;
-      Motion(Velocities(tracks, options.velocity, ahead, lagged), ahead, lagged, first, out).take();
+      Motion(Velocities(tracks, options.velocity, ahead, lagged), ahead, lagged, first, book).take();
     }
     first += first == 0 ? kMetrics : kMotionMetrics;
   }
-  neighbours(tracks, now, out);
+  neighbours(tracks, now, book);
   const double d = mean(out.values[kDistance]);
   out.natural[kDistance] = d;
   out.natural[kVelocityDifference] = d > 0 ? out.natural[kSpeed] / d : 0;

@@ -19,6 +19,7 @@ enum class VelocitySource {
 struct MetricOptions {
   VelocitySource velocity = VelocitySource::difference;
   std::vector<int> lags = {1};  // ascending, each at least 1
+  bool keep_rows = false;       // fill MetricSamples::rows
 };
 
 // All defined values of each metric, in row order of the tracks; the order carries no meaning.
@@ -35,11 +36,12 @@ struct MetricSamples {
   MetricSamples() : MetricSamples(columns_at({1})) {}
   explicit MetricSamples(std::vector<Column> of) : columns(std::move(of)) {
     const std::size_t n = columns.size();
-    values.resize(n), undefined.resize(n), natural.resize(n);
+    values.resize(n), rows.resize(n), undefined.resize(n), natural.resize(n);
   }
 
   std::vector<Column> columns;
   PerColumn<std::vector<double>> values;  // finite
+  PerColumn<std::vector<Index>> rows;     // of the tracks, where each value begins; empty unless asked for
   PerColumn<Index> undefined;             // rows where the metric had all the frames it needs and is still undefined
   // What the recording's mean speed V, mean nearest distance D and dt make of each metric's unit: V, V/dt, 1/dt, 1/dt², V/dt², D, V/D;
   // at lag l with l dt for dt and the speed at that lag. A spread below 1e-9 of it is rounding. 0: not known.

@@ -125,10 +125,12 @@ Html observation(const Comparison& c) {
   Html out = element("p", "", markup("Simulated positions went through the same observation as the animals before anything was compared."));
   out += element("dl", "facts", facts);
 
-  HtmlTable table("How much of each metric is measurement error");
-  table.head({column("metric"), column(""), column("share of variance", true), column("in the score"), column("why not, or not in full")});
+  HtmlTable table("How much of each metric is measurement error, and how many independent samples the recording is worth");
+  table.head({column("metric"), column(""), column("share of variance", true), column("independent samples", true), column("in the score"),
+              column("why not, or not in full")});
   for (std::size_t m = 0; m < c.columns.size(); ++m)
     table.row({name_cell(escaped(c.columns[m].name())), text_cell(c.columns[m].symbol()), number_cell(percent(o.error_share[m])),
+               number_cell(brief(o.independent[m], 2)),
                text_cell(!counts(c, m)  ? "no"
                          : o.drowned[m] ? "beyond the error"
                                         : "yes"),

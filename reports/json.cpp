@@ -44,6 +44,7 @@ Json observation(const Columns& columns, const ObservationFacts& o) {
           {"white", o.white},
           {"smoothing", o.smoothing},
           {"velocity", o.velocity},
+          {"independent_samples", per_column(columns, o.independent)},
           {"error_share", per_column(columns, o.error_share)},
           {"drowned", per_column(columns, o.drowned)},
           {"used", per_column(columns, o.used)},

@@ -248,7 +248,8 @@ Comparison sample_at_lags() {
   c.columns = columns_at({1, 4, 16});
   const auto same = [](auto x, std::size_t) { return x; };
   const auto true_flag = [](bool, std::size_t) { return true; };
-  for (auto* values : {&c.axis_lower, &c.axis_width, &c.p1, &c.p2, &c.skill.floor, &c.skill.floor_sd, &c.skill.null})
+  for (auto* values :
+       {&c.observation.independent, &c.axis_lower, &c.axis_width, &c.p1, &c.p2, &c.skill.floor, &c.skill.floor_sd, &c.skill.null})
     extend(*values, 2, same);
   extend(c.observation.error_share, 2, [](double, std::size_t j) { return j < 12 ? 0.1 : 0.02; });
   for (auto* flags : {&c.defined, &c.observation.used, &c.skill.used, &c.skill.informative}) extend(*flags, 2, true_flag);
