@@ -44,12 +44,12 @@ PaperTable ranking(const Across& a) {
                "the first: 95 % interval over recordings.",
                {"model"},
                {}};
-  for (const auto& name : a.recordings) t.head.push_back(name);
+  for (const auto& name : a.recordings) t.head.push_back(fs::path(name).filename().string());
   t.head.insert(t.head.end(), {"mean rank", "mean score", "first", "lead of the first"});
   for (const ModelAcross& m : a.models) {
     std::vector<std::string> row{m.model};
     for (std::size_t k = 0; k < a.recordings.size(); ++k) row.push_back(place(m, k));
-    row.insert(row.end(), {fixed(m.mean_rank, 2), fixed(m.mean_score, 3), std::to_string(m.wins), lead_text(m.lead)});
+    row.insert(row.end(), {fixed(m.mean_rank, 2), fixed(m.mean_score, 3), std::to_string(m.wins), in_print(lead_text(m.lead))});
     t.rows.push_back(std::move(row));
   }
   return t;

@@ -55,6 +55,9 @@ TEST(AcrossReport, JsonHoldsEverything) {
 TEST(AcrossReport, PaperTablesHaveOneColumnPerRecording) {
   for (const PaperTable& t : paper_tables(sample()))
     for (const auto& row : t.rows) EXPECT_EQ(row.size(), t.head.size()) << t.name;
+  const PaperTable ranking = paper_tables(sample()).front();
+  EXPECT_EQ(ranking.head[2], "two,b.csv") << "names of files, not paths";
+  EXPECT_EQ(ranking.rows[1].back(), "0.800 (0.250 to 1.350)");
 }
 
 TEST(AcrossReport, SentenceSaysWhoIsFirstAndHowOften) {
