@@ -98,8 +98,8 @@ double goodness(const FitResult& fit, const std::vector<Energies>& own, const We
   return static_cast<double>(1 + beyond) / static_cast<double>(1 + own.size());
 }
 
-// How far a law's recordings scatter is that of the truth's only to a fifth: on the logarithm, over planted pairs (docs/certainty.md). As
-// if it were estimated with ten degrees of freedom: Student's t in place of the normal law, at 97.5 %.
+// How far a law's recordings scatter is that of the truth's only to a fifth: on the logarithm, over planted pairs
+// (reports/published/leads). As if it were estimated with ten degrees of freedom: Student's t in place of the normal law, at 97.5 %.
 constexpr double kStudent = 2.2281 / 1.9600;
 
 // Basic bootstrap: the scatter of the draws, turned round the value.

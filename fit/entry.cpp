@@ -122,7 +122,7 @@ class Axis {
     if (!std::isfinite(j.variance)) return {seen, 0};
     // What is known of any velocity beforehand counts, too: without it, what simulations draw would scatter by the error of what was seen
     // and once more by their own, and start too fast. (For what chance averaged away from a line that is too much, by a hundredth or two of
-    // the speed; drawing towards the mean for localisation error alone was tried, and leads were held by 176 of 200 intervals, not 192.)
+    // the speed.)
     const double share = j.variance > 0 ? j.spread / (j.spread + j.variance) : 1;
     return {j.mean + share * (seen - j.mean), share * j.variance};
   }
@@ -146,7 +146,8 @@ std::span<const Index> run_from(const Tracks& tracks, std::span<const Index> row
 std::vector<Presence::Visit> recorded_visits(const Tracks& tracks, const Eigen::Array3d& sigma) {
   std::vector<Presence::Visit> visits;
   std::vector<Axis> axes;
-  for (Index a = 0; a < tracks.dims(); ++a) axes.emplace_back(tracks, a, sigma[a]);
+  const bool all_recorded = tracks.has_velocity() && tracks.vel().isFinite().all();
+  for (Index a = 0; a < tracks.dims() && !all_recorded; ++a) axes.emplace_back(tracks, a, sigma[a]);
   const auto frame = tracks.frame();
   const auto episode_of = [&](std::int64_t f) {
     const auto e = tracks.episodes();

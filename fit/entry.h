@@ -17,8 +17,9 @@ namespace swarmfit {
 // before and from after any frame it sees the same velocity. The estimate is then drawn towards the mean velocity of all, by as much as its
 // error is to the scatter of velocities (a normal prior); who is seen in a single frame has that mean. `vel_error` is the standard error
 // that remains: simulations draw what they start with, so that models without chance, and those in which small differences grow, do not all
-// tell one story, and so that simulations start neither faster nor slower than the recording. [unit/s] sigma: localisation error per axis
-// [unit], 0 if unknown, when errors come out too large by up to a half.
+// tell one story, and so that simulations start neither faster nor slower than the recording. [unit/s]
+//
+// sigma: localisation error per axis [unit]; 0 if unknown, when the variance of its share comes out up to a half too large.
 std::vector<Presence::Visit> recorded_visits(const Tracks& tracks, const Eigen::Array3d& sigma);
 
 }  // namespace swarmfit

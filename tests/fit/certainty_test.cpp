@@ -249,19 +249,20 @@ TEST(Certainty, GoodnessIsUniformUnderTheTruth) {
   EXPECT_LE(half, 40);
 }
 
-// Planted parameters, unfitted, of every model that compare knows by default: p <= 0.05 should be rare. 24 recordings: more than five
-// happen to a uniform p once in 700 times.
+// Planted parameters, unfitted, of every model that compare knows by default: p <= 0.05 should be rare. Of 48 recordings more than four
+// happen to a uniform p once in ten times, and none to these seeds; eight if animals enter with exact velocities, five if an error that
+// shows in no metric is simulated.
 TEST(Certainty, EveryModelExplainsItsOwnRecordings) {
   constexpr Scales scales{100, 70, 225};
   constexpr int pooled = 12;
   int rejected = 0;
   for (const char* name : {"bswarm", "noise_aware", "boids", "rvo", "brownian", "langevin"}) {
     const ModelChoice model = parse_model(name);
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       PlantOptions film;
-      film.frames = 150;
+      film.frames = 300;
       film.unit = "mm";
-      film.agents = 10;
+      film.agents = 20;
       const auto truth = varied(model, planted_parameters(model, scales), scales, 2, seed);
       ConditionOptions options;
       options.step_scales = scales;
@@ -279,7 +280,7 @@ TEST(Certainty, EveryModelExplainsItsOwnRecordings) {
       rejected += fit[0].certainty.goodness_p <= 0.05;
     }
   }
-  EXPECT_LE(rejected, 5);
+  EXPECT_LE(rejected, 4);
 }
 
 }  // namespace
