@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "fit/kept.h"
 #include "libswarm/simulate.h"
@@ -14,6 +15,12 @@ namespace swarmfit {
 namespace {
 
 constexpr double kWarmUp = 2;  // in units of L / V
+
+// Of a case, in the order in which they are kept.
+auto fields(auto& one) {
+  return std::tie(one.planted, one.seed, one.parameters, one.order, one.scores, one.score_se, one.group, one.goodness_p,
+                  one.rank_of_planted);
+}
 
 }  // namespace
 
@@ -32,27 +39,11 @@ RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::ui
 }
 
 void put(std::string& to, const RecoveryCase& one) {
-  put(to, one.planted);
-  put(to, one.seed);
-  put(to, one.parameters);
-  put(to, one.order);
-  put(to, one.scores);
-  put(to, one.score_se);
-  put(to, one.group);
-  put(to, one.goodness_p);
-  put(to, one.rank_of_planted);
+  std::apply([&](const auto&... field) { (put(to, field), ...); }, fields(one));
 }
 
 void take(Taker& from, RecoveryCase& one) {
-  from.take(one.planted);
-  from.take(one.seed);
-  from.take(one.parameters);
-  from.take(one.order);
-  from.take(one.scores);
-  from.take(one.score_se);
-  from.take(one.group);
-  from.take(one.goodness_p);
-  from.take(one.rank_of_planted);
+  std::apply([&](auto&... field) { (from.take(field), ...); }, fields(one));
 }
 
 void add_case(Recovery& recovery, RecoveryCase one) {
