@@ -35,7 +35,7 @@ struct FitArguments {
   double max_time = 0;  // [s]; 0: none
   std::vector<std::string> set, fix, bounds;
   std::string presence = "recorded", arena = "open", velocity = "difference", protocol = "default";
-  std::string normalisation, scoring, observation_error, lags, resolution, calibration;  // empty: the protocol's
+  std::string normalisation, scoring, observation_error, lags, resolution, calibration, steps;  // empty: the protocol's
   double smoothing = 0;
   double error_limit = -1;  // negative: the protocol's
   int bins = 0;

@@ -69,6 +69,18 @@ std::string model_manual(const ModelSpec& spec) {
   return text;
 }
 
+namespace {
+
+// Of the time step in fits.
+std::string fit_step(const ModelSpec& spec) {
+  std::string map = spec.map.empty() ? "" : spec.map == "always" ? "one step per frame" : fmt::format("one step per frame with `{}`", spec.map);
+  const std::string most = std::isfinite(spec.largest_dt) ? fmt::format(", at most {:.3g} T", spec.largest_dt) : "";
+  if (spec.map == "always") return ", of fits " + map;
+  return fmt::format(", of fits as many steps per frame as it takes{}{}{}", most, map.empty() ? "" : "; ", map);
+}
+
+}  // namespace
+
 std::string model_page(const ModelSpec& spec) {
   std::string page = fmt::format("# {0}\n\n{1}.\n\n![{0}]({0}.svg)\n\n```text\n{2}```\n\n", spec.name, spec.summary, model_manual(spec));
   page += fmt::format(
@@ -85,8 +97,8 @@ std::string model_page(const ModelSpec& spec) {
     const Option& first = spec.options.front();
     page += fmt::format("\nOptions travel with the name: `'{}[{}={}]'`.\n", spec.name, first.name, first.values.back());
   }
-  page += fmt::format("\n## Source\n\n{}. Motion in {} dimensions; time step of scenes {:.3g} s, of fits at most {:.3g} T.\n",
-                      spec.citation, fmt::join(spec.dims, " or "), spec.native_dt, spec.largest_dt);
+  page += fmt::format("\n## Source\n\n{}. Motion in {} dimensions; time step of scenes {:.3g} s{}.\n", spec.citation,
+                      fmt::join(spec.dims, " or "), spec.native_dt, fit_step(spec));
   return page;
 }
 

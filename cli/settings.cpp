@@ -21,6 +21,7 @@
 namespace swarmfit::cli {
 namespace {
 
+constexpr int kMostSteps = 1000;    // per frame
 constexpr int kRen2016Passes = 10;  // of the calibration loop; the paper iterates until the weights settle and names no limit
 
 double number(std::string_view flag, std::string_view text, std::string_view whole) {
@@ -74,6 +75,19 @@ std::vector<std::string> split_outside_brackets(const std::string& text) {
   return parts;
 }
 
+namespace {
+
+int parse_steps(const std::string& text) {
+  if (text == "auto") return 0;
+  if (text == "fewest") return kFewestSteps;
+  const double steps = number("--steps", text, text);
+  if (!(steps >= 1 && steps <= kMostSteps && steps == std::floor(steps)))
+    throw InputError(fmt::format("--steps {}: expected auto, fewest or a whole number from 1 to {}", text, kMostSteps));
+  return static_cast<int>(steps);
+}
+
+}  // namespace
+
 ConditionOptions condition_options(const FitArguments& a) {
   ConditionOptions o;
   o.presence = a.presence == "constant" ? ConditionOptions::Presence::constant : ConditionOptions::Presence::recorded;
@@ -86,6 +100,8 @@ ConditionOptions condition_options(const FitArguments& a) {
     if (o.sigma < 0) throw InputError(fmt::format("--obs-noise {}: expected estimate or a length of at least 0", a.observation_error));
     o.error = o.sigma > 0 ? ConditionOptions::Error::given : ConditionOptions::Error::none;
   }
+  o.rounding = a.protocol != "ren2016";
+  o.steps = parse_steps(a.steps);
   return o;
 }
 
@@ -171,6 +187,7 @@ FitArguments with_protocol(FitArguments a) {
   if (a.resolution.empty()) a.resolution = literal ? "none" : "recording";
   if (a.scoring.empty()) a.scoring = a.normalisation == "separate" ? "pooled" : "proper";
   if (a.calibration.empty()) a.calibration = literal ? "last" : "mean";
+  if (a.steps.empty()) a.steps = literal ? "fewest" : "auto";
   return a;
 }
 
@@ -246,6 +263,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("scoring", a.scoring);
   text("calibration", a.calibration);
   text("lags", a.lags);
+  text("steps", a.steps);
   positive("smooth", a.smoothing);
   text("velocity", a.velocity);
   text("normalisation", a.normalisation);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fit/scout.h"
+#include "fit/time_step.h"
 
 namespace swarmfit {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 constexpr double kLeadersApart = 0.1;     // in the unit cube: far enough that they do not share their luck
 constexpr double kFinalistsApart = 0.02;  // near ones are all but the same model
 constexpr std::size_t kFinalists = 12;
+constexpr std::size_t kSettled = 2;       // leaders at which the time step is chosen
 constexpr int kScoutShare = 4;  // fewer candidates than so many times the scout's runs are not worth it
 
 // Later passes start from what is known, rescored, so they search so many times less. Least of all the whole space on few replicates:
@@ -52,10 +54,10 @@ Round ModelSearch::on_seeds(const CompareOptions& options, Stream stream, int re
 void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& on_search) {
   if (space_.dimensions() > 0) {
     std::int64_t done = 0;  // simulations of the rounds before
-    if (number == 1) {      // the table's defaults are in the recording's scales: the one candidate that is not a guess
-      keep(search_, space_.start(), simulate(search_, {space_.start()}, space_, objective_).front(), number, "search");
-      ++evaluations_;
+    if (number == 1) {
+      start_from({space_.start()});  // the table's defaults are in the recording's scales: the one candidate that is not a guess
       done = scout_ahead(weighting, on_search);
+      settle(weighting);
     }
     const auto &wide = options_.budget.search, &narrow = options_.budget.selection;
     const auto before = evaluations_;
@@ -88,11 +90,30 @@ std::int64_t ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch
   const auto points = scout(space_, objective_, conditions_, target_, rng_.derive(Stream::posterior, 0), size,
                             [&](std::int64_t simulations) { return on = on_search(simulations, best); });
   if (!on) throw Interrupted{};
-  const auto outcomes = simulate(search_, points, space_, objective_);
-  for (std::size_t k = 0; k < points.size(); ++k) keep(search_, points[k], outcomes[k], 1, "search");
-  evaluations_ += runs + static_cast<std::int64_t>(points.size());
+  start_from(points);
+  evaluations_ += runs;
   simulations_ += runs;
   return runs;
+}
+
+void ModelSearch::start_from(const std::vector<Point>& points) {
+  const auto outcomes = simulate(search_, points, space_, objective_);
+  for (std::size_t k = 0; k < points.size(); ++k) keep(search_, points[k], outcomes[k], 1, "search");
+  evaluations_ += static_cast<std::int64_t>(points.size());
+}
+
+// Where the recording is, as far as is known; what was simulated in coarser steps is simulated again.
+void ModelSearch::settle(const Weighting& weighting) {
+  if (options_.conditions.steps != 0 || space_.model().spec->is_map(space_.model().options)) return;
+  const int before = objective_.steps();
+  std::vector<std::vector<double>> candidates;
+  for (const auto& leader : leaders(search_, weighting, kSettled, kLeadersApart)) candidates.push_back(space_.parameters(leader.x));
+  settle_steps(objective_, target_, candidates, selection_.seeds);
+  if (objective_.steps() == before) return;
+  std::vector<Point> points;
+  for (const Archived& a : search_.archive) points.push_back(a.x);
+  search_.archive.clear();
+  start_from(points);
 }
 
 void ModelSearch::suggest(const ModelSearch& other) {

@@ -44,6 +44,8 @@ class ModelSearch {
 
  private:
   std::int64_t scout_ahead(const Weighting& weighting, const OnSearch& on_search);  // returns its simulations
+  void start_from(const std::vector<Point>& points);
+  void settle(const Weighting& weighting);
   static Round on_seeds(const CompareOptions& options, Stream stream, int replicates);
   // The best of an archive under these weights, no two nearer than `apart` in the unit cube: by what a search minimises, or by the score.
   static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,

@@ -91,9 +91,25 @@ Energies mean(const std::vector<Energies>& all, std::size_t columns) {
   return out;
 }
 
-double goodness(const FitResult& fit, const std::vector<Energies>& own, const Weighting& weighting) {
-  const double observed = cost_of(fit.raw_energies, weighting);
-  if (own.empty() || !std::isfinite(observed)) return NAN;
+// Per column, how much farther away than its own recordings a model may be without being the worse for it: what no ranking sees, where
+// they scatter by less than that.
+Energies unseen(const std::vector<Energies>& own, double worst) {
+  Energies out(own.front().size(), 0.0);
+  for (std::size_t j = 0; j < out.size(); ++j) {
+    Moments moments;
+    for (const Energies& e : own) moments.add(e[j]);
+    if (moments.count > 0) out[j] = std::max(0.0, kUnseen * worst - moments.sd());
+  }
+  return out;
+}
+
+double goodness(const FitResult& fit, const std::vector<Energies>& own, const Weighting& weighting, double worst) {
+  if (own.empty()) return NAN;
+  Energies raw = fit.raw_energies;
+  const Energies small = unseen(own, worst);
+  for (std::size_t j = 0; j < raw.size(); ++j) raw[j] -= small[j];
+  const double observed = cost_of(raw, weighting);
+  if (!std::isfinite(observed)) return NAN;
   const auto beyond = std::count_if(own.begin(), own.end(), [&](const Energies& e) { return cost_of(e, weighting) >= observed; });
   return static_cast<double>(1 + beyond) / static_cast<double>(1 + own.size());
 }
@@ -184,7 +200,7 @@ void fill_certainty(std::vector<FitResult>& models, const Laws& laws, const Targ
     Certainty& c = models[m].certainty;
     const auto own = own_energies(laws.of[m], target, pooled);
     c.own = mean(own, target.columns().size());
-    c.goodness_p = goodness(models[m], own, weighting);
+    c.goodness_p = goodness(models[m], own, weighting, target.worst());
     c.set_p = p[m];
     c.group = groups[m];
     const auto column = static_cast<Eigen::Index>(m);

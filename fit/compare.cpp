@@ -151,7 +151,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   const Halves parts = options.hold_out ? halves(recording) : Halves{};
   Conditions conditions = make_conditions(options.hold_out ? parts.fitted : recording, options.conditions);
   conditions.metrics.lags = lags_for(conditions, options);
-  const Target target(metric_samples(conditions.recording, conditions.metrics), options.binning);
+  const Target target(recorded_samples(conditions.recording, conditions.metrics), options.binning);
 
   Comparison result;
   result.observation = observation_facts(conditions, target, options);

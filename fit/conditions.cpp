@@ -8,12 +8,15 @@
 #include <cmath>
 
 #include "fit/entry.h"
+#include "libeval/energy.h"
 #include "libeval/order.h"
 #include "libtrack/error.h"
 #include "libtrack/kinematics.h"
 
 namespace swarmfit {
 namespace {
+
+constexpr double kCentral = 0.95, kNormalCentral = 1.959963984540054;  // a share of all values, and half its width if they are normal
 
 // Everybody of the first frame, for the whole length of the recording.
 std::vector<Presence::Visit> constant_visits(const Tracks& tracks, std::vector<Presence::Visit> visits) {
@@ -102,11 +105,13 @@ void require_inside(const Bounds& bounds, const Tracks& recording, const std::st
 Scales natural_scales(const Tracks& recording) {
   const auto velocity = forward_velocity(recording);
   double speed = 0;
-  std::size_t moving = 0;
+  std::vector<double> speeds;
   for (Index i = 0; i < velocity.rows(); ++i) {
     const double v = std::sqrt(velocity.row(i).square().sum());
-    if (std::isfinite(v)) speed += v, ++moving;
+    if (std::isfinite(v)) speed += v, speeds.push_back(v);
   }
+  speed = speeds.empty() ? 0 : speed / static_cast<double>(speeds.size());
+  const double bulk = quantile(speeds, 0.5 + kCentral / 2) - quantile(speeds, 0.5 - kCentral / 2);
   const auto nearest = nearest_neighbours(recording);
   double spacing = 0;
   std::size_t paired = 0;
@@ -121,7 +126,7 @@ Scales natural_scales(const Tracks& recording) {
     weight += static_cast<double>(frames[f].count);
   }
   return {weight > 0 ? std::sqrt(square / weight) : 0, paired ? spacing / static_cast<double>(paired) : 0,
-          moving ? speed / static_cast<double>(moving) : 0};
+          speed, speed > 0 ? bulk / (2 * kNormalCentral * speed) : 1};
 }
 
 Bounds parse_arena(const std::string& text, const Tracks& recording) {
@@ -157,6 +162,7 @@ Conditions make_conditions(const Tracks& recording, const ConditionOptions& opti
   if (estimated && shows(recording, c.localisation.sigma)) c.sigma = c.localisation.sigma;
   if (options.error == ConditionOptions::Error::given) c.sigma = Eigen::Array3d::Constant(options.sigma);
   if (recording.dims() == 2) c.sigma[2] = 0;
+  if (options.rounding) c.grid = rounding_grid(recording);
   c.world.dims = recording.dims();
   c.world.bounds = parse_arena(options.arena, recording);
   const auto recorded = recorded_visits(recording, c.localisation.white ? c.localisation.sigma : Eigen::Array3d(Eigen::Array3d::Zero()));
@@ -177,6 +183,7 @@ Conditions held_out_conditions(const Tracks& held_out, const Conditions& fitted)
   c.scales = fitted.scales;
   c.localisation = fitted.localisation;
   c.sigma = fitted.sigma;
+  c.grid = fitted.grid;
   c.metrics = fitted.metrics;
   c.reference = std::make_shared<const Tracks>(fitted.recording);
   return c;

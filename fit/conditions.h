@@ -6,7 +6,7 @@
 #include <string>
 
 #include "libeval/localisation.h"
-#include "libeval/metrics.h"
+#include "libeval/rounding.h"
 #include "libswarm/model.h"
 #include "libswarm/world.h"
 
@@ -24,8 +24,11 @@ struct ConditionOptions {
   int population = 0;    // how many there really were, where only part of the group was tracked; 0: as recorded
   double smoothing = 0;  // Gaussian smoothing of both sides, standard deviation in frames
   VelocitySource velocity = VelocitySource::difference;
-  Scales step_scales{};  // that set the steps per frame; speed 0: the recording's own
+  bool rounding = true;  // simulated positions are rounded as the recorded ones are
+  // Steps per frame of all models that are no maps; 0: as many as each needs (fit/time_step.h), kFewestSteps: as few as are stable.
+  int steps = 0;
 };
+inline constexpr int kFewestSteps = -1;
 
 // Immutable and shared by all simulations of a fit.
 struct Conditions {
@@ -35,6 +38,7 @@ struct Conditions {
   World world;                                    // arena and presence
   Localisation localisation;                      // as estimated, whatever is used
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error put on simulated positions, per axis [unit]
+  Grid grid;                                      // to which simulated positions are rounded
   MetricOptions metrics;                          // how both sides are measured
   std::int64_t first_frame = 0, frames = 0;
   int unseen = 0;  // simulated individuals that the camera does not see

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fit/parameter_posterior.h"
+#include "fit/time_step.h"
 #include "libtrack/cut.h"
 
 namespace swarmfit {
@@ -63,7 +64,10 @@ FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const 
   fill_energies(fit, search, weighting);
   fill_ratios(fit, target);
   const auto values = search.space().parameters(best.x);
-  fit.half_step_energies = search.objective().evaluate(values, search.final_seeds(), 2).raw;
+  fit.map = model.spec->is_map(model.options);
+  const Outcome halved = search.objective().evaluate(values, search.final_seeds(), 2);
+  fit.half_step_energies = halved.raw;
+  fit.steps_settled = fit.map || same_energies(best.outcome, halved, target);
   const Tracks first = search.objective().simulate(values, search.final_seeds().front());
   const Scales seen = natural_scales(first);
   fit.film = cut(first, span.first, span.last);
@@ -75,7 +79,7 @@ FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const 
   fit.failed_simulations = search.failed();
   fit.failed_final = static_cast<double>(best.outcome.failed) / static_cast<double>(best.outcome.replicates.size());
   fit.stop_reason = search.stop_reason();
-  fit.substeps = search.objective().substeps();
+  fit.steps = search.objective().steps();
   const auto& count = best.outcome.count;
   fit.infeasible_avoidance =
       count.agent_steps ? static_cast<double>(count.infeasible_avoidance) / static_cast<double>(count.agent_steps) : 0;

@@ -38,13 +38,14 @@ void fill_held_out(Comparison& result, const Halves& halves, const CompareOption
   result.hold_out = {true, halves.fitted.frames().front().number, halves.fitted.frames().back().number,
                      halves.held_out.frames().front().number, halves.held_out.frames().back().number};
   const Conditions conditions = held_out_conditions(halves.held_out, fitted);
-  const Target target(metric_samples(conditions.recording, conditions.metrics), options.binning);
+  const Target target(recorded_samples(conditions.recording, conditions.metrics), options.binning);
   const auto seeds = replicate_seeds({options.seed}, Stream::final_seeds, options.budget.final_replicates);
   std::vector<FitResult> there(models.size());
   Laws laws{{}, {}, std::vector<double>(models.size(), 0), {options.seed}};
   for (std::size_t m = 0; m < models.size(); ++m) {
     const ModelChoice& model = choice_of(options, models[m].model);
-    const Objective objective(model, conditions, target);
+    Objective objective(model, conditions, target);
+    objective.use_steps(models[m].steps);
     const auto values = parameter_values(model, models[m]);
     there[m].raw_energies = objective.evaluate(values, seeds).raw;
     there[m].score = -cost_of(there[m].raw_energies, weighting);

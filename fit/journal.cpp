@@ -44,8 +44,9 @@ std::optional<Outcome> decoded(std::string_view bytes) {
 
 }  // namespace
 
-std::string Journal::key(const std::string& model, std::span<const double> parameters, std::span<const Rng> seeds) {
+std::string Journal::key(const std::string& model, int steps, std::span<const double> parameters, std::span<const Rng> seeds) {
   std::string bytes = model + '\n';
+  put(bytes, steps);
   for (const double p : parameters) put(bytes, p);
   bytes += '\n';
   for (const Rng& seed : seeds) put(bytes, seed.seed);

@@ -38,24 +38,25 @@ struct Objective::Trial {
 };
 
 Objective::Objective(const ModelChoice& model, const Conditions& conditions, const Target& target, Journal* journal)
-    : conditions_(conditions), target_(target), journal_(journal), name_(model.name) {
+    : conditions_(conditions), target_(target), journal_(journal), choice_(model) {
   const Tracks& recording = conditions.recording;
   const Tracks* reference = conditions.reference ? conditions.reference.get() : &recording;
   model_ = model.spec->make({recording.dims(), model.options, conditions.scales, reference});
   plan_.frame_dt = recording.dt();
-  const Scales& own = conditions.options.step_scales;
-  plan_.substeps = swarmfit::substeps(*model.spec, own.speed > 0 ? own : conditions.scales, recording.dt());
+  use_steps(conditions.options.steps > 0 ? conditions.options.steps : stable_steps(model, conditions.scales, recording.dt()));
   plan_.first_frame = conditions.first_frame;
   plan_.frames = conditions.frames;
   plan_.speed_limit = kEscapeSpeed * conditions.scales.speed;
 }
+
+void Objective::use_steps(int steps) { plan_.substeps = choice_.spec->is_map(choice_.options) ? 1 : steps; }
 
 Tracks Objective::simulate(const std::vector<double>& candidate, const Rng& seed, int finer, Counters& count, bool& blew_up) const {
   const bool as_recorded = conditions_.options.presence == ConditionOptions::Presence::recorded;
   const bool keep_velocity = conditions_.options.velocity == VelocitySource::recorded;
   TrackCollector collector(conditions_.recording.names(), keep_velocity);
   Observer camera(as_recorded ? &conditions_.recording : nullptr, conditions_.sigma, seed, collector,
-                  static_cast<std::uint32_t>(conditions_.recording.track_count()));
+                  static_cast<std::uint32_t>(conditions_.recording.track_count()), conditions_.grid);
   Plan plan = plan_;
   plan.substeps *= finer;
   Lane lane{candidate, seed, State{}, conditions_.world, &camera, {}, false};
@@ -179,7 +180,7 @@ std::vector<Outcome> Objective::outcomes(std::vector<std::vector<Trial>>& trials
   std::vector<bool> missing = wanted;
   for (std::size_t c = 0; journal_ && c < candidates.size(); ++c) {
     if (!wanted[c]) continue;
-    keys[c] = Journal::key(name_, candidates[c], seeds);
+    keys[c] = Journal::key(choice_.name, steps(), candidates[c], seeds);
     auto known = journal_->find(keys[c]);
     if (!known) continue;
     out[c] = std::move(*known);

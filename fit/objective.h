@@ -39,7 +39,10 @@ class Objective {
   // The same; nothing if the run blew up.
   std::optional<Tracks> finished(const std::vector<double>& candidate, const Rng& seed) const;
 
-  int substeps() const { return plan_.substeps; }
+  // Steps per frame: as the conditions ask for, or as few as are stable until others are set.
+  int steps() const { return plan_.substeps; }
+  // Not while anything is simulated. Maps keep their one.
+  void use_steps(int steps);
 
  private:
   struct Trial;
@@ -58,7 +61,7 @@ class Objective {
   const Conditions& conditions_;
   const Target& target_;
   Journal* journal_;
-  std::string name_;
+  ModelChoice choice_;
   std::unique_ptr<Model> model_;
   Plan plan_;
 };

@@ -7,8 +7,8 @@
 
 namespace swarmfit {
 
-Observer::Observer(const Tracks* mask, const Eigen::Array3d& sigma, Rng rng, FrameSink& out, std::uint32_t tracked)
-    : mask_(mask), sigma_(sigma), rng_(rng), out_(out), tracked_(tracked) {}
+Observer::Observer(const Tracks* mask, const Eigen::Array3d& sigma, Rng rng, FrameSink& out, std::uint32_t tracked, const Grid& grid)
+    : mask_(mask), sigma_(sigma), rng_(rng), out_(out), tracked_(tracked), grid_(grid) {}
 
 void Observer::advance_to(std::int64_t frame) {
   const auto frames = mask_->frames();
@@ -46,6 +46,8 @@ void Observer::frame(const Snapshot& now) {
     three_normals(rng_, Stream::localisation, tick, id_, error_.col(0).data(), error_.col(1).data(), error_.col(2).data());
     for (Index axis = 0; axis < 3; ++axis) pos_.col(axis) += sigma_[axis] * error_.col(axis);
   }
+  if (grid_.any())
+    for (Index row = 0; row < pos_.rows(); ++row) pos_.row(row) = grid_.rounded(pos_.row(row).transpose()).transpose();
   out_.frame({now.frame, id_, kind_, pos_, vel_});
 }
 

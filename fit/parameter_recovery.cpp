@@ -11,6 +11,7 @@
 
 #include "fit/facts.h"
 #include "fit/kept.h"
+#include "fit/time_step.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -39,8 +40,10 @@ std::optional<ParameterCase> one_case(const RecoveryOptions& options, const Comp
   }
   const SearchSpace space(model, conditions.scales, compare.requests);
   if (!reachable(space, truth)) return {};
-  const Target target(metric_samples(conditions.recording, conditions.metrics), compare.binning);
-  const Objective objective(model, conditions, target);
+  const Target target(recorded_samples(conditions.recording, conditions.metrics), compare.binning);
+  Objective objective(model, conditions, target);
+  if (!model.spec->is_map(model.options))
+    settle_steps(objective, target, {truth}, replicate_seeds({seed}, Stream::selection, compare.budget.selection.replicates));
   const auto found = posterior_of(space, objective, conditions, target, Rng{seed}.derive(Stream::posterior, 0));
   ParameterCase out{seed, {}, found.parameters, {}, {}, {}};
   const Point place = space.point(truth);

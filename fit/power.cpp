@@ -39,9 +39,8 @@ PowerPair pair_of(const Recovery& r, std::size_t planted, std::size_t rival) {
   return out;
 }
 
-// Constants and time steps as in the recording, whatever scales a planted one turns out to have.
-CompareOptions with_constants_of(const Comparison& fitted, CompareOptions options, const Scales& scales) {
-  options.conditions.step_scales = scales;
+// Constants as in the recording, whatever scales a planted one turns out to have.
+CompareOptions with_constants_of(const Comparison& fitted, CompareOptions options) {
   for (const FitResult& fit : fitted.models)
     for (const ParameterResult& p : fit.parameters)
       if (!p.fitted) options.requests.set.try_emplace(fmt::format("{}.{}", fit.model, p.name), p.value);
@@ -78,12 +77,14 @@ Power power(const Tracks& recording, const PowerOptions& options, const OnPower&
   ConditionOptions as_filmed = options.compare.conditions;
   as_filmed.smoothing = 0;  // what is filmed is smoothed when it is compared
   const Conditions conditions = make_conditions(recording, as_filmed);
-  const Target target(metric_samples(conditions.recording, conditions.metrics), options.compare.binning);
-  CompareOptions again = with_constants_of(fitted, options.compare, conditions.scales);
+  const Target target(recorded_samples(conditions.recording, conditions.metrics), options.compare.binning);
+  CompareOptions again = with_constants_of(fitted, options.compare);
   for (std::size_t m = 0; m < options.compare.models.size(); ++m) {
     const ModelChoice& model = options.compare.models[m];
-    const Objective objective(model, conditions, target);
-    const auto parameters = parameter_values(model, result_of(fitted, model.name));
+    const FitResult& fit = result_of(fitted, model.name);
+    Objective objective(model, conditions, target);
+    objective.use_steps(fit.steps);
+    const auto parameters = parameter_values(model, fit);
     out.recovery.planted.push_back(model.name);
     out.recovery.compared = fitted.named;
     out.recovery.parameters.push_back(parameters);

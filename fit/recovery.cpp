@@ -14,7 +14,8 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kWarmUp = 2;  // in units of L / V
+constexpr double kWarmUp = 2;    // in units of L / V
+constexpr int kFilmSteps = 10;  // per frame: animals do not move once per frame, nor as finely as their model is stepped in fits
 
 // Of a case, in the order in which they are kept.
 auto fields(auto& one) {
@@ -78,7 +79,7 @@ Tracks planted_recording(const ModelChoice& model, const std::vector<double>& pa
                          std::uint64_t seed) {
   film.seed = seed;
   film.scales = scales;
-  film.substeps = substeps(*model.spec, scales, film.dt);
+  film.substeps = model.spec->is_map(model.options) ? 1 : kFilmSteps;
   film.start_radius = scales.extent * std::sqrt(film.dims == 3 ? 5.0 / 3 : 2.0);
   film.start_speed = scales.speed;
   film.warm_up = static_cast<std::int64_t>(std::ceil(kWarmUp * scales.time() / film.dt));
@@ -87,7 +88,6 @@ Tracks planted_recording(const ModelChoice& model, const std::vector<double>& pa
 }
 
 CompareOptions with_shared_constants(CompareOptions compare, const Scales& scales) {
-  compare.conditions.step_scales = scales;
   for (const auto& model : compare.models) {
     const std::vector<double> values = planted_parameters(model, scales);
     for (std::size_t p = 0; p < values.size(); ++p) {

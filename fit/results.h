@@ -200,7 +200,9 @@ struct FitResult {
   std::int64_t failed_simulations = 0;                             // blew up
   double failed_final = 0;                                         // share of the final replicates that blew up
   std::string stop_reason;
-  int substeps = 1;                 // n_sub
+  int steps = 1;                    // per frame
+  bool map = false;                 // decides once per step: the same model at another step is another one
+  bool steps_settled = true;        // half the step changes no energy by more than chance (fit/time_step.h)
   double infeasible_avoidance = 0;  // share of final agent-steps without a collision-free velocity
   std::vector<ConvergencePoint> convergence;
   Estimate skill;                       // 1: as alike as the recording is to itself, 0: as its surrogates; over final replicates

@@ -13,6 +13,7 @@ namespace swarmfit {
 namespace {
 
 constexpr double kAtBound = 0.01;  // share of the searched axis that counts as being on its bound
+constexpr double kLittle = 0.02, kDeviations = 3;
 
 // The request for one parameter of one model: the fullest name wins.
 template <class Value>
@@ -45,12 +46,22 @@ void check_keys(const std::map<std::string, Value>& requests, const char* flag, 
 
 }  // namespace
 
+// A speed that everybody keeps for ever is nowhere but among the recorded ones: three of their standard deviations to either side, and a
+// little, for what curvature and the error of the mean take from it.
+void SearchSpace::look_up_speed(const Scales& scales, double& value, Axis& axis) {
+  const double factor = std::exp(kLittle + kDeviations * scales.unlike);
+  axis.lower = std::max(axis.lower, scales.speed / factor);
+  axis.upper = std::min(axis.upper, scales.speed * factor);
+  value = std::clamp(value, axis.lower, axis.upper);
+}
+
 SearchSpace::SearchSpace(const ModelChoice& model, const Scales& scales, const ParameterRequests& requests) : model_(model) {
   const auto& table = model.spec->parameters;
   for (std::size_t p = 0; p < table.size(); ++p) {
     const double unit = table[p].scale(scales);
     base_.push_back(table[p].fit.initial * unit);
     axes_.push_back({table[p].fit.lower * unit, table[p].fit.upper * unit, table[p].log, table[p].integer});
+    if (table[p].shown == Parameter::Shown::speed) look_up_speed(scales, base_.back(), axes_.back());
     if (table[p].fitted && model.spec->uses(p, model.options)) searched_.push_back(p);
   }
   apply(model, requests);

@@ -43,6 +43,7 @@ class SearchSpace {
     double value(double u) const;           // u in [0, 1]
     double coordinate(double value) const;  // its inverse, clamped
   };
+  static void look_up_speed(const Scales& scales, double& value, Axis& axis);
   void apply(const ModelChoice& model, const ParameterRequests& requests);
 
   ModelChoice model_;

@@ -13,7 +13,7 @@ namespace swarmfit {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSpreadFloor = 0.01;  // of |mean|: a standard deviation never counts as smaller
+constexpr double kSpreadFloor = 0.01;  // of |mean|, or of the natural scale of eta: a standard deviation never counts as smaller
 constexpr double kRounding = 1e-9;     // of the natural scale: a smaller standard deviation is rounding
 
 double total(const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
@@ -51,11 +51,26 @@ Moments moments(const std::vector<double>& values) {
 // Is there a distribution to speak of, or a constant with its rounding?
 bool varies(const Moments& m, double natural) { return m.count > 0 && m.m2 > 0 && m.sd() >= kRounding * natural; }
 
+// The middle of the bin that holds 0.
+double middle_of_zero(const Binning& b) {
+  const double width = (b.upper - b.lower) / b.bins;
+  return (std::round(-b.lower / width - 0.5) + 0.5) * width + b.lower;
+}
+
 // z = (x - shift) / scale
 struct ZScore {
   double shift, scale;
 };
 ZScore z_score(const Moments& m) { return {m.mean, std::max(m.sd(), kSpreadFloor * std::abs(m.mean))}; }
+
+// That of a recording: no bin is narrower than what rounding puts on the metric. A deviation that is smaller is next to none, and the metric
+// a fact that simulations have to match: its mean lies in the middle of a bin then, not on the edge between two.
+ZScore z_score(const Moments& m, const Binning& b, double rounding, double natural) {
+  ZScore z = z_score(m);
+  z.scale = std::max({z.scale, kSpreadFloor * natural, rounding * b.bins / (b.upper - b.lower)});
+  if (z.scale > m.sd()) z.shift -= z.scale * middle_of_zero(b);
+  return z;
+}
 
 // The z-score that maps [low, high] onto the binning's interval.
 ZScore onto_interval(double low, double high, const Binning& b) {
@@ -202,7 +217,10 @@ Target::Target(const MetricSamples& recording, const Binning& binning)
     const auto& values = recording.values[m];
     Distribution& own = recording_[m];
     own.moments = moments(values);
-    ZScore z = z_score(own.moments);
+    // Differences of speeds that are all the same are rounding, and so is their mean.
+    const double natural = columns_[m].metric == kVelocityDifference ? recording.natural[m] : 0;
+    ZScore z = binning.normalisation == Normalisation::reference ? z_score(own.moments, binning, recording.rounding[m], natural)
+                                                                 : z_score(own.moments);
     defined_[m] = varies(own.moments, recording.natural[m]);
     if (defined_[m] && binning.normalisation == Normalisation::none) {
       z = onto_interval(quantile(values, 0.005), quantile(values, 0.995), binning);

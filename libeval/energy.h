@@ -60,11 +60,15 @@ using Energies = PerColumn<double>;  // NaN: undefined
 
 using Densities = PerColumn<std::vector<double>>;  // discrete PDFs; empty: no samples
 
+inline constexpr double kUnseen = 1.0 / 400;  // of the worst energy: differences that no ranking sees
+
 inline constexpr double kMostMisplaced = 7;  // Target::misplacement: about 1100 standard deviations off
 
 // The recording, prepared once; scores any number of simulations. Immutable, shared by threads.
 //
-// The standard deviation of a z-score is never taken as less than 1 % of |mean|. A metric whose standard deviation is below 1e-9 of its
+// The standard deviation of a z-score is never taken as less than 1 % of |mean| (of eta: of its natural scale), nor so small that a bin
+// would be narrower than what rounding puts on the metric (MetricSamples::rounding). A metric that varies less than that is a fact to be
+// matched: its mean lies in the middle of a bin. A metric whose standard deviation is below 1e-9 of its
 // natural scale is a constant with rounding, and undefined: of the recording, or under `separate` of the simulation.
 class Target {
  public:

@@ -7,6 +7,7 @@
 
 #include "libeval/lags.h"
 #include "libeval/order.h"
+#include "libeval/rounding.h"
 #include "libtrack/error.h"
 #include "libtrack/text_scan.h"
 
@@ -54,7 +55,7 @@ std::vector<std::string> header(std::string_view line) {
 Evaluation evaluate(const Tracks& real, const Tracks& simulated, const Binning& binning, const MetricOptions& options) {
   require_comparable(real, simulated);
   require_lags(real, options.lags);
-  const Target target(metric_samples(real, options), binning);
+  const Target target(recorded_samples(real, options), binning);
   Evaluation e;
   e.real = real.meta();
   e.simulated = simulated.meta();

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "libeval/energy.h"
+#include "libeval/rounding.h"
 #include "libtrack/normals.h"
 
 namespace swarmfit {
@@ -19,6 +20,11 @@ constexpr Index kFewest = 100;                          // differences that a le
 constexpr double kLevelled = 0.9;  // next order's level over this one's; motion slower than 1/6 of the frame rate then adds less than 5 %
 constexpr double kFlat = 1.6;      // largest ratio of levels within the upper third of the spectrum (white: 1, rough acceleration: 2.7)
 constexpr double kDigit = 1.5;     // times the rounding error of the last digit
+// How red the upper half of the spectrum is: 0 for white error, kTilted for a random walk, whose steps are the animal's own. Halfway between
+// them the roughness of the motion and error cannot be told apart.
+const double kTilted = std::log(4.0 / 3) + 2 * std::log(9.0 / 8);
+constexpr double kSlow = 3;        // errors per step: along faster motion they show in the speed as they are
+constexpr double kStraight = 0.5;  // of the error's variance that speeds must show at least
 
 // Taps of (1 - B)^differences (1 + B)^sums, B being the step back by one frame.
 std::vector<double> taps(int differences, int sums) {
@@ -65,24 +71,10 @@ Level level(const Tracks& tracks, Index axis, int differences, int sums = 0) {
   return {sd * sd / norm, static_cast<Index>(size.size())};
 }
 
-// Standard deviation of rounding to the decimals that the numbers of this axis are written with; 0 if they have more than nine.
-double rounding_error(const Tracks& tracks, Index axis) {
-  std::vector<int> decimals;
-  decimals.reserve(static_cast<std::size_t>(tracks.rows()));
-  for (const double x : tracks.pos().col(axis)) {
-    int k = 0;
-    for (double power = 1; k < 10; ++k, power *= 10)
-      if (std::abs(x * power - std::round(x * power)) < 1e-6) break;
-    decimals.push_back(k);
-  }
-  const auto middle = decimals.begin() + static_cast<std::ptrdiff_t>(decimals.size() / 2);
-  std::nth_element(decimals.begin(), middle, decimals.end());
-  return *middle < 10 ? std::pow(10.0, -*middle) / std::sqrt(12.0) : 0;
-}
-
 struct AxisError {
   Level error;
   double acceleration, jerk;  // levels of the second and third differences
+  double tilt;
   bool white, rounding;
 };
 
@@ -98,11 +90,41 @@ bool flat_spectrum(const Tracks& tracks, Index axis) {
   return high <= kFlat * low;
 }
 
-std::optional<AxisError> axis_error(const Tracks& tracks, Index axis) {
+// What a red spectrum does to the levels: it raises those that see lower frequencies, and lets levels fall on with the order.
+double tilt(const Tracks& tracks, Index axis) {
+  const Level high = level(tracks, axis, 6), low = level(tracks, axis, 6, 2), early = level(tracks, axis, 3), late = level(tracks, axis, 8);
+  return std::log(low.variance / high.variance) + 2 * std::log(early.variance / late.variance);
+}
+
+// The level that speeds have, from one frame to the next, at one order less: white error along the way shows in them as it does in positions,
+// and somebody who flies at a constant speed on a rough path has none. Infinite where steps are hardly longer than errors: speeds then say
+// less.
+double level_of_speeds(const Tracks& tracks, double error) {
+  constexpr int order = 6;
+  const auto c = taps(order - 1, 0);
+  std::vector<double> size, steps;
+  for_each_segment(tracks, order + 1, [&](std::span<const Index> rows) {
+    const std::size_t first = steps.size();
+    for (std::size_t k = 0; k + 1 < rows.size(); ++k)
+      steps.push_back(std::sqrt((tracks.pos().row(rows[k + 1]) - tracks.pos().row(rows[k])).square().sum()));
+    for (std::size_t k = first; k + c.size() <= steps.size(); ++k) {
+      double sum = 0;
+      for (std::size_t i = 0; i < c.size(); ++i) sum += c[i] * steps[k + i];
+      size.push_back(std::abs(sum));
+    }
+  });
+  if (static_cast<Index>(size.size()) < kFewest || quantile(steps, 0.5) < kSlow * std::sqrt(error)) return INFINITY;
+  double norm = 0;
+  for (const double tap : taps(order, 0)) norm += tap * tap;
+  const double sd = quantile(std::move(size), 0.5) / kNormalQuartile;
+  return sd * sd / norm;
+}
+
+std::optional<AxisError> axis_error(const Tracks& tracks, Index axis, double grid) {
   Level now = level(tracks, axis, kLowest);
   const Level jerk = level(tracks, axis, 3);
   if (now.samples == 0 || jerk.samples == 0) return std::nullopt;
-  AxisError out{now, now.variance, jerk.variance, false, false};
+  AxisError out{now, now.variance, jerk.variance, 0, false, false};
   bool levelled = false;
   for (int order = kLowest + 1; order <= kHighest && !levelled; ++order) {
     const Level next = level(tracks, axis, order);
@@ -111,8 +133,12 @@ std::optional<AxisError> axis_error(const Tracks& tracks, Index axis) {
     now = next;
   }
   out.error = now;
-  out.rounding = std::sqrt(now.variance) < kDigit * rounding_error(tracks, axis);
-  out.white = levelled && !out.rounding && flat_spectrum(tracks, axis);
+  const double rounding = grid * grid / 12;
+  out.rounding = now.variance < kDigit * kDigit * rounding;
+  out.white = levelled && flat_spectrum(tracks, axis);
+  out.tilt = tilt(tracks, axis);
+  // Rounding is white, too, and simulated by itself.
+  if (!out.rounding) out.error.variance -= rounding;
   return out;
 }
 
@@ -134,22 +160,26 @@ double share(double part, double whole) { return whole > 0 ? std::clamp(part / w
 
 Localisation estimate_localisation(const Tracks& tracks) {
   Localisation out;
-  double error = 0, acceleration = 0, jerk = 0;
+  double error = 0, acceleration = 0, jerk = 0, tilt = 0, least = INFINITY;
   int axes = 0, white = 0, rounding = 0;
+  const Grid grid = rounding_grid(tracks);
   for (Index axis = 0; axis < tracks.dims(); ++axis) {
-    const auto found = axis_error(tracks, axis);
+    const auto found = axis_error(tracks, axis, grid.step[axis]);
     if (!found) continue;
     out.sigma[axis] = std::sqrt(found->error.variance);
     out.samples += found->error.samples;
     error += found->error.variance;
     acceleration += found->acceleration;
     jerk += found->jerk;
+    tilt += found->tilt;
+    least = std::min(least, found->error.variance);
     ++axes;
     white += found->white;
     rounding += found->rounding;
   }
-  out.white = axes > 0 && white == axes;
   out.rounding = axes > 0 && rounding == axes;
+  const bool told_from_walk = tilt < 0.5 * kTilted * axes;
+  out.white = axes > 0 && white == axes && !out.rounding && told_from_walk && level_of_speeds(tracks, least) >= kStraight * least;
   out.acceleration_share = share(error, acceleration);
   out.jerk_share = share(error, jerk);
   return out;

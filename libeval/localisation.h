@@ -10,7 +10,9 @@ namespace swarmfit {
 //
 // White error of variance σ² gives the m-th difference of positions the variance C(2m, m) σ²; smooth motion gives it ever less as m grows.
 // So Var(Δ^m x) / C(2m, m) falls with m until it levels off at σ² (the variate difference method: Anderson 1929, Tintner 1940). Real
-// accelerations that change from frame to frame level off too, so sigma is an upper bound.
+// accelerations that change from frame to frame level off too, so sigma is an upper bound. It is only called an error where it cannot be the
+// motion: the spectrum must be white, not that of a random walk, which falls by a quarter over its upper third, and the error must show
+// along the way as it does aside, in speeds that change as much as it would change them.
 //
 // Variances are squared medians of |Δ^m x| / 0.6745: sigma is that of a normal error with the recording's bulk. Identity jumps and wild
 // detections do not count, and tails heavier than the normal's are not described: on recordings that have them (the kurtosis of second
@@ -21,8 +23,8 @@ namespace swarmfit {
 struct Localisation {
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // standard deviation per axis [unit]; 0 where nothing can be told
   Index samples = 0;                              // differences it rests on, all axes; 0: too few unbroken stretches
-  bool white = false;             // level at rising orders, flat over the upper third of the spectrum, and not the file's last digit
-  bool rounding = false;          // sigma is no more than the rounding of the numbers in the file
+  bool white = false;             // level at rising orders, white over the upper third of the spectrum, seen in speeds, and not rounding
+  bool rounding = false;          // sigma is no more than the rounding of positions in the file (libeval/rounding.h)
   double acceleration_share = 0;  // share of the squared median acceleration that this error explains, 0..1
   double jerk_share = 0;          // likewise for the jerk
 };

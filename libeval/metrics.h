@@ -36,7 +36,7 @@ struct MetricSamples {
   MetricSamples() : MetricSamples(columns_at({1})) {}
   explicit MetricSamples(std::vector<Column> of) : columns(std::move(of)) {
     const std::size_t n = columns.size();
-    values.resize(n), rows.resize(n), undefined.resize(n), natural.resize(n);
+    values.resize(n), rows.resize(n), undefined.resize(n), natural.resize(n), rounding.resize(n);
   }
 
   std::vector<Column> columns;
@@ -46,6 +46,9 @@ struct MetricSamples {
   // What the recording's mean speed V, mean nearest distance D and dt make of each metric's unit: V, V/dt, 1/dt, 1/dt², V/dt², D, V/D;
   // at lag l with l dt for dt and the speed at that lag. A spread below 1e-9 of it is rounding. 0: not known.
   PerColumn<double> natural;
+  // Standard deviation of what the rounding of the file's positions puts on each metric (recorded_samples, libeval/rounding.h); 0: none, or
+  // not looked at.
+  PerColumn<double> rounding;
 };
 // Throws InputError if recorded velocities are asked for and the tracks have none, or at another lag than 1: they belong to an instant.
 MetricSamples metric_samples(const Tracks& tracks, const MetricOptions& options = {});

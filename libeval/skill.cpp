@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "libeval/distance.h"
+#include "libeval/rounding.h"
 #include "libtrack/cut.h"
 
 namespace swarmfit {
@@ -35,7 +36,7 @@ Moments over_halves(const HalfDistance::Blocks& a, const HalfDistance::Blocks& b
 }  // namespace
 
 HalfDistance::HalfDistance(const Tracks& recording, const MetricOptions& options)
-    : options_(options), target_(metric_samples(recording, options), Binning::standard(Normalisation::reference)) {
+    : options_(options), target_(recorded_samples(recording, options), Binning::standard(Normalisation::reference)) {
   floor_ = floor_sd_ = PerColumn<double>(columns().size(), kNaN);
   recording_ = no_blocks();
   const auto frames = recording.frames();

@@ -2,6 +2,7 @@
 // What a model of collective motion is: a table that describes it (ModelSpec) and a step (Model).
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <span>
@@ -24,6 +25,7 @@ struct Scales {
   double extent = 1;   // L [unit]
   double spacing = 1;  // NND [unit]
   double speed = 1;    // V [unit/s]
+  double unlike = 1;   // relative standard deviation of the speeds (half their central 95 % over 1.96, over V): 0 if all are the same
   double time() const { return extent / speed; }
 };
 
@@ -40,6 +42,7 @@ struct Range {
 // One row of a model's parameter table.
 struct Parameter {
   enum class Length { extent, spacing };  // which length of the recording scales it in a fit
+  enum class Shown { no, speed };         // what a recording shows of it: nothing, or that everybody flies at this speed
 
   std::string_view name;    // on the command line and in results
   std::string_view symbol;  // as printed in the source
@@ -54,6 +57,7 @@ struct Parameter {
   std::string_view source;   // paper and equation, or why this value
   bool integer = false;
   std::string_view at_lower = {};  // what it means for a fit to end on the lower bound, where that means something
+  Shown shown = Shown::no;
 
   // What one unit of `fit` is worth in this recording.
   double scale(const Scales& s) const;
@@ -82,7 +86,10 @@ struct ModelSpec {
   Update update = Update::synchronous;
   bool needs_reference = false;  // cannot be made without a recording (FASTSWARM)
   double native_dt = 0.01;       // of scenes [s]
-  double largest_dt = 0.025;     // of fits, in units of T: the step that is still stable anywhere inside the fit bounds
+  // With these options (as in Parameter::when; "always") the model is a map from one decision to the next: half the step is another model,
+  // and fits take one step per frame. Empty: it stands for motion in continuous time, and any step that is fine enough will do.
+  std::string_view map = {};
+  double largest_dt = INFINITY;  // of fits, in units of T: the step that is still stable anywhere inside the fit bounds
   std::string_view quiet = {};   // options or parameters that leave no randomness: "noise=none", "eta=0,xi=0"; empty: there is none anyway
   std::vector<Option> options;
   std::vector<std::string_view> columns;  // names of its private columns in State::own
@@ -95,6 +102,8 @@ struct ModelSpec {
   int find(std::string_view parameter) const;
   // Is parameter p used under these (complete) options?
   bool uses(std::size_t p, const Options& options) const;
+  // Does it decide once per step under these (complete) options?
+  bool is_map(const Options& options) const;
 };
 
 // A model with its options, as the user names it: "bswarm[noise=white,avoidance=none]".

@@ -215,9 +215,9 @@ Eigen::Array3d NoiseField::curl2(const Eigen::Array3d& x) const {
   return {p[1], -p[0], 0};
 }
 
-Eigen::Array3d white_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id) {
-  const auto xy = rng.uniform2(Stream::noise, tick, id, 0);
-  const double z = rng.uniform(Stream::noise, tick, id, 1);
+Eigen::Array3d white_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id, Stream stream) {
+  const auto xy = rng.uniform2(stream, tick, id, 0);
+  const double z = rng.uniform(stream, tick, id, 1);
   return {2 * xy[0] - 1, 2 * xy[1] - 1, 2 * z - 1};
 }
 

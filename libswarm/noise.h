@@ -66,7 +66,7 @@ class NoiseField {
 };
 
 // Three independent numbers, uniform on [-1, 1): variance 1/3 each.
-Eigen::Array3d white_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id);
+Eigen::Array3d white_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id, Stream stream = Stream::noise);
 
 // Three independent standard normals for every agent.
 class GaussianNoise {

@@ -102,10 +102,11 @@ int ModelSpec::find(std::string_view parameter) const {
   return found == parameters.end() ? -1 : static_cast<int>(found - parameters.begin());
 }
 
-bool ModelSpec::uses(std::size_t p, const Options& given) const {
-  const std::string_view when = parameters[p].when;
+namespace {
+
+// Do options meet conditions such as "noise=curl|perlin,interaction=on"?
+bool meets(std::string_view when, const Options& given) {
   bool used = true;
-  if (when.empty()) return used;
   split(when, ',', [&](std::string_view condition) {
     const std::size_t equals = condition.find('=');
     const auto option = given.find(condition.substr(0, equals));
@@ -116,6 +117,15 @@ bool ModelSpec::uses(std::size_t p, const Options& given) const {
   });
   return used;
 }
+
+}  // namespace
+
+bool ModelSpec::uses(std::size_t p, const Options& given) const {
+  const std::string_view when = parameters[p].when;
+  return when.empty() || meets(when, given);
+}
+
+bool ModelSpec::is_map(const Options& given) const { return map == "always" || (!map.empty() && meets(map, given)); }
 
 ModelChoice parse_model(std::string_view text) {
   const std::size_t bracket = text.find('[');

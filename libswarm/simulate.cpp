@@ -148,8 +148,9 @@ const Backend& cpu_backend() {
   return backend;
 }
 
-int substeps(const ModelSpec& spec, const Scales& scales, double frame_dt) {
-  const double steps = frame_dt / (spec.largest_dt * scales.time());
+int stable_steps(const ModelChoice& model, const Scales& scales, double frame_dt) {
+  if (model.spec->is_map(model.options)) return 1;
+  const double steps = frame_dt / (model.spec->largest_dt * scales.time());
   return std::max(1, static_cast<int>(std::ceil(steps - 1e-9)));
 }
 

@@ -44,7 +44,7 @@ struct Backend {
 
 const Backend& cpu_backend();
 
-// Steps needed per frame so that no step is longer than the model's largest in this recording's time scale.
-int substeps(const ModelSpec&, const Scales&, double frame_dt);
+// Steps needed per frame so that no step is longer than the model's largest in this recording's time scale; one for maps.
+int stable_steps(const ModelChoice&, const Scales&, double frame_dt);
 
 }  // namespace swarmfit

@@ -31,7 +31,10 @@ enum class Stream : std::uint32_t {
   law = 16,           // recordings made by a fitted model
   posterior = 17,     // parameters drawn from a prior, and their recordings
   entry = 18,         // error of the velocities with which recorded agents enter
-  surrogate = 20      // recordings with a property destroyed
+  surrogate = 20,     // recordings with a property destroyed
+  noise_path = 21,    // what noise does to a path within a step, beside what it does to the velocity at its end
+  noise_path_2 = 22,  // and a second number of that kind
+  dither = 23         // positions spread over the grid that a file is rounded to
 };
 
 namespace philox {

@@ -102,7 +102,7 @@ Html search(const Comparison& c) {
     name += escaped(r.model);
     table.row({name_cell(name), number_cell(counted(r.evaluations)), number_cell(counted(r.simulations)),
                number_cell(counted(r.failed_simulations)), number_cell(percent(r.failed_final)), text_cell(r.stop_reason),
-               number_cell(std::to_string(r.substeps)), number_cell(fixed(half_step_change(c, r), 2)),
+               number_cell(std::to_string(r.steps)), number_cell(fixed(half_step_change(c, r), 2)),
                number_cell(percent(r.infeasible_avoidance))});
   }
   Html out = table.html();

@@ -178,7 +178,7 @@ Json model(const Columns& columns, const FitResult& r) {
           {"failed_simulations", r.failed_simulations},
           {"failed_final", r.failed_final},
           {"stop_reason", r.stop_reason},
-          {"n_sub", r.substeps},
+          {"n_sub", r.steps},
           {"infeasible_avoidance", r.infeasible_avoidance},
           {"convergence", convergence(r.convergence)}};
 }

@@ -80,7 +80,7 @@ std::string ranking(const Comparison& c) {
         .field(rank_text(r.held_out.certainty.group))
         .field(r.evaluations)
         .field(r.simulations);
-    csv.field(r.failed_simulations).field(r.failed_final).field(std::int64_t{r.substeps}).field(r.infeasible_avoidance);
+    csv.field(r.failed_simulations).field(r.failed_final).field(std::int64_t{r.steps}).field(r.infeasible_avoidance);
     csv.field(r.stop_reason).end();
   }
   return csv.take();

@@ -86,9 +86,10 @@ ModelSpec boids_spec() {
           .columns = {},
           .parameters =
               {
-                  {"speed", "v", {1, -1}, {7.5, 0.1, 10}, {1, 0.1, 4}, extent, true, true, "", "constant speed", "Table S17"},
+                  {"speed", "v", {1, -1}, {7.5, 0.1, 10}, {1, 0.1, 4}, extent, true, true, "", "constant speed", "Table S17", false, {},
+                   Parameter::Shown::speed},
                   {"radius", "r", {1, 0}, {0.26, 0.01, 10}, {1.5, 0.1, 10}, spacing, true, true, "", "radius of perception", "Table S17"},
-                  {"tau", "τ", {0, 1}, {0.2, 0.01, 10}, {0.5, 0.05, 10}, extent, true, false, "", "turning time", "our choice"},
+                  {"tau", "τ", {0, 1}, {0.2, 0.01, 10}, {0.5, 0.05, 10}, extent, true, true, "", "turning time", "our choice"},
               },
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Boids>(setup); }};
 }

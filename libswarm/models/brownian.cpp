@@ -14,8 +14,11 @@
 //   f(v)  = d2 e - g0,   de/dt = q0 - c e - d2 |v|² e        friction=depot: each agent has a store of energy e, filled at the rate q0
 //
 // r_c is the recording's mean position; in scenes the middle of the arena, in the open the origin.
-// Euler and Maruyama, semi-implicit (r moves with the new v), halved while gamma2 |v|² dt > 0.2 for anybody; e follows its exact solution
-// for constant |v|. Agents enter with e = q0 / (c + d2 |v|²), at which it stays while the speed does. Agents at the same place part in a
+// Half a step of drift, forces at the places reached there, half a step of drift; friction by the midpoint rule, halved while
+// gamma2 |v|² dt > 0.2 for anybody; e follows its exact solution for constant |v|. Where the noise takes an agent within a step is drawn,
+// too: given both velocities, the path of a Brownian velocity has an area of variance 2 D dt³ / 12 beside the trapezoid's. So the
+// statistics of positions are those of the continuous process at any step that resolves friction and forces: second differences have two
+// thirds of the variance that kicks once per step would give them, and neighbouring ones a correlation of 1/4. Agents enter with e = q0 / (c + d2 |v|²), at which it stays while the speed does. Agents at the same place part in a
 // drawn direction. Forces beyond 30 times the longest range, a factor 1e-13, are left out.
 //
 // A free particle with Rayleigh friction has the stationary speeds P(v) ~ v^(dims-1) exp(-(gamma2 v^4 / 4 - gamma1 v² / 2) / D). With the
@@ -46,7 +49,8 @@ constexpr double kRanges = 30;          // as far as forces reach
 
 // Small groups are taken pair by pair: places and what the others do to each, with room for a last block that is not full.
 struct Buffers : Workspace {
-  GaussianNoise noise;
+  GaussianNoise noise, area;
+  Rows midway;  // places after half a step of drift
   Rows place, force;
 };
 
@@ -124,22 +128,25 @@ class Brownian : public Model {
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
     if (!depot_ && c.can_halve && too_fast(now, c)) return Step::halve_dt;
-    if (repulsion_) c.near.build(now.pos, world.bounds, reach(c));
     Buffers& buffers = *static_cast<Buffers*>(c.work);
+    buffers.midway = now.pos + 0.5 * c.dt * now.vel;
+    if (repulsion_) c.near.build(buffers.midway, world.bounds, reach(c));
     const bool pairs = repulsion_ && now.size() < Neighbours::kAllPairsBelow;
     if (pairs) pair_forces(now, c, buffers);
     buffers.noise.draw(c.rng, Stream::noise, c.tick, now.id);
+    buffers.area.draw(c.rng, Stream::noise_path, c.tick, now.id);
     const Array3d centre = centre_.in(world.bounds);
-    const double kick = std::sqrt(2 * c.p[kD] * c.dt);
+    const double kick = std::sqrt(2 * c.p[kD] * c.dt), astray = kick * c.dt / std::sqrt(12.0);
     for_each_agent(now.size(), [&](Index i, std::size_t) {
-      const Array3d before = now.vel.row(i).transpose();
-      Array3d force = propulsion(now, next, i, c) * before;
-      if (confined_) force += c.p[kK] * world.bounds.separation(now.pos.row(i).transpose(), centre);
+      const Array3d before = now.vel.row(i).transpose(), midway = buffers.midway.row(i).transpose();
+      Array3d force = Array3d::Zero();
+      if (confined_) force += c.p[kK] * world.bounds.separation(midway, centre);
       if (repulsion_) force += pairs ? Array3d(buffers.force.row(i).transpose()) : interaction(now, i, c);
-      Array3d v = before + force * c.dt + kick * buffers.noise[i];
-      if (dims_ == 2) v[2] = 0;
+      const Propulsion propulsion(*this, now, next, i, c);
+      const Array3d half = before + 0.5 * c.dt * (propulsion(before) + force);
+      const Array3d v = before + c.dt * (propulsion(half) + force) + kick * flat(buffers.noise[i]);
       next.vel.row(i) = v.transpose();
-      next.pos.row(i) = now.pos.row(i) + v.transpose() * c.dt;
+      next.pos.row(i) = (midway + 0.5 * c.dt * v + astray * flat(buffers.area[i])).transpose();
     });
     return Step::done;
   }
@@ -155,14 +162,24 @@ class Brownian : public Model {
     return c.p[kGamma2] * fastest2 * c.dt > kLargestChange;
   }
 
-  // f(v), and the energy that is left after the step.
-  double propulsion(const State& now, State& next, Index i, const StepContext& c) const {
-    const double v2 = speed2(now, i);
-    if (!depot_) return c.p[kGamma1] - c.p[kGamma2] * v2;
-    const double rate = c.p[kC] + c.p[kD2] * v2, balance = c.p[kQ0] / rate, energy = now.own(i, 0);
-    next.own(i, 0) = balance + (energy - balance) * std::exp(-rate * c.dt);
-    return c.p[kD2] * energy - c.p[kG0];
-  }
+  Array3d flat(const Array3d& a) const { return dims_ == 2 ? Array3d(a[0], a[1], 0) : a; }
+
+  // f(v) v of one agent; the store is emptied once per step, into `next`.
+  class Propulsion {
+   public:
+    Propulsion(const Brownian& model, const State& now, State& next, Index i, const StepContext& c)
+        : linear_(c.p[kGamma1]), cubic_(c.p[kGamma2]) {
+      if (!model.depot_) return;
+      const double rate = c.p[kC] + c.p[kD2] * speed2(now, i), balance = c.p[kQ0] / rate, energy = now.own(i, 0);
+      next.own(i, 0) = balance + (energy - balance) * std::exp(-rate * c.dt);
+      linear_ = c.p[kD2] * energy - c.p[kG0];
+      cubic_ = 0;
+    }
+    Array3d operator()(const Array3d& v) const { return (linear_ - cubic_ * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2])) * v; }
+
+   private:
+    double linear_, cubic_;
+  };
 
   // What j at this distance does to i, along the line from j to i.
   double strength(double distance, const StepContext& c) const {

@@ -18,6 +18,10 @@
 //   F_noise: option `noise`, below
 //   v_pref = v + F dt;  v = collision-free velocity nearest to v_pref;  r = r + v dt       (Algorithm 1; synchronous, semi-implicit Euler)
 //
+// White and Gaussian noise with sde scaling stand for continuous noise: where it takes an agent within a step is drawn, too, so that
+// positions have the statistics of the continuous process (brownian.cpp says which). With literal scaling kicks belong to the step: the
+// model is a map from frame to frame.
+//
 // Radii are stored as the widths of the zones' shells (starred), so that r_att >= r_ali >= r_rep >= 0 holds by construction.
 // The printed equations collapse the swarm of Table 1 to a clump whose size is set by the avoidance radius alone, which the paper does not
 // give: report nearest-neighbour distances with every result.
@@ -140,7 +144,7 @@ const std::vector<Parameter>& parameter_table() {
 struct Buffers : Workspace {
   Buffers(const Rng& rng, int dims, Infeasible infeasible) : field(rng), avoider(dims, infeasible) {}
   NoiseField field;
-  GaussianNoise gaussian;
+  GaussianNoise gaussian, area;
   Avoider avoider;
 };
 
@@ -154,6 +158,7 @@ class Bswarm : public Model {
         avoidance_(setup.options.at("avoidance") == "orca"),
         implicit_drag_(setup.options.at("drag") == "implicit"),
         sde_(setup.options.at("noise_scaling") == "sde"),
+        continuous_(sde_ && (noise_ == Noise::white || noise_ == Noise::gaussian)),
         soft_alignment_(setup.options.at("align") == "soft"),
         per_agent_offset_(setup.options.at("offset") == "per_agent"),
         both_sides_(setup.options.at("response") == "both") {}
@@ -174,9 +179,10 @@ class Bswarm : public Model {
       if (stimuli) force += response(now, next, i, *stimuli, world.bounds, c);
       Array3d v = preferred(now.vel.row(i).transpose(), force, c);
       if (avoidance_) v = buffers.avoider.velocity(now, i, v, c, thread);
+      const Array3d within = continuous_ ? astray(now, i, c) : Array3d(Array3d::Zero());
       for (Index axis = 0; axis < 3; ++axis) {
         next.vel(i, axis) = v[axis];
-        next.pos(i, axis) = now.pos(i, axis) + v[axis] * c.dt;
+        next.pos(i, axis) = now.pos(i, axis) + v[axis] * c.dt + within[axis];
       }
     });
     return avoidance_ ? buffers.avoider.end(c) : Step::done;
@@ -205,6 +211,7 @@ class Bswarm : public Model {
 
   void prepare(const State& now, const World& world, const StepContext& c, Buffers& buffers) const {
     if (noise_ == Noise::gaussian) buffers.gaussian.draw(c.rng, Stream::noise, c.tick, now.id);
+    if (noise_ == Noise::gaussian && continuous_) buffers.area.draw(c.rng, Stream::noise_path, c.tick, now.id);
     if (interaction_) {
       const double reach = c.p[kRRep] + c.p[kRAli] + c.p[kRAtt];
       c.near.build(now.pos, world.bounds, reach);
@@ -242,6 +249,19 @@ class Bswarm : public Model {
     if (per_agent_offset_) x += offset_of(c.rng, id);
     if (noise_ == Noise::perlin) return flat(c.p[kNoise] * field.potential(x));
     return c.p[kNoise] * (dims_ == 2 ? field.curl2(x) : field.curl(x));
+  }
+
+  // Continuous noise changes the velocity gradually, so the path falls behind v dt by half of what the kick alone adds to it, and scatters by
+  // the area of a Brownian bridge.
+  Array3d astray(const State& now, Index i, const StepContext& c) const {
+    constexpr double bridge = 0.28867513459481287;  // 1 / sqrt(12)
+    const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
+    const double reach = amplitude(c) * c.dt * c.dt;
+    if (noise_ == Noise::gaussian) {
+      const Buffers& buffers = *static_cast<const Buffers*>(c.work);
+      return flat(reach * (bridge * buffers.area[i] - 0.5 * buffers.gaussian[i]));
+    }
+    return flat(reach * (bridge * white_noise(c.rng, c.tick, id, Stream::noise_path) - 0.5 * white_noise(c.rng, c.tick, id)));
   }
 
   double amplitude(const StepContext& c) const { return sde_ ? c.p[kLambda] / std::sqrt(c.dt) : c.p[kLambdaLiteral]; }
@@ -320,7 +340,7 @@ class Bswarm : public Model {
   int dims_;
   Noise noise_;
   Infeasible infeasible_;
-  bool interaction_, avoidance_, implicit_drag_, sde_, soft_alignment_, per_agent_offset_, both_sides_;
+  bool interaction_, avoidance_, implicit_drag_, sde_, continuous_, soft_alignment_, per_agent_offset_, both_sides_;
 };
 
 }  // namespace
@@ -331,6 +351,7 @@ ModelSpec bswarm_spec() {
           .citation = "Ren et al. 2016, doi:10.1371/journal.pone.0155698",
           .dims = {2, 3},
           .native_dt = 0.01,
+          .map = "noise=white|gaussian,noise_scaling=literal",
           .largest_dt = 1.0 / 40,  // gamma |v| dt = 0.5 at the upper bound of gamma and the recorded speed
           .quiet = "noise=none",
           .options = option_table(),

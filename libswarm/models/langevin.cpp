@@ -16,12 +16,13 @@
 //   <v²> = s a / g     <x²> = s (a / g + 1) / k     <v eta> = s a     <x eta> = s     <x v> = 0          (x = r - r_c)
 // Agents enter with an eta drawn from the stationary law given their place and velocity, so that a swarm that starts stationary stays so.
 //
-// eta is updated exactly (Gillespie 1996). r and v: half a step of drift, the exact solution for v under friction and constant force with
-// the mean of the old and the new eta, half a step of drift; of second order, stable for k dt² < 4.
+// All of it is linear, so a step of any length is exact: (x, v, eta) of every component is multiplied by a matrix, and gets a normal error
+// of known covariance (libswarm/linear_noise.h).
 #include <algorithm>
 #include <cmath>
 
 #include "libswarm/centre.h"
+#include "libswarm/linear_noise.h"
 #include "libswarm/noise.h"
 #include "libswarm/parallel.h"
 #include "libtrack/normals.h"
@@ -37,7 +38,9 @@ enum Row : std::size_t { kTauV, kK, kTauEta, kSigma };
 constexpr Index kColumns = 3;  // eta
 
 struct Buffers : Workspace {
-  GaussianNoise noise;
+  GaussianNoise noise[3];
+  std::array<double, 5> of{};  // step and parameters of the transition
+  LinearNoise<3> transition;
 };
 
 class Langevin : public Model {
@@ -62,26 +65,38 @@ class Langevin : public Model {
   }
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
-    const double keep = std::exp(-c.dt / c.p[kTauEta]), draw = c.p[kSigma] * std::sqrt(-std::expm1(-2 * c.dt / c.p[kTauEta]));
-    const double slow = std::exp(-c.dt / c.p[kTauV]), push = -c.p[kTauV] * std::expm1(-c.dt / c.p[kTauV]);
+    Buffers& buffers = *static_cast<Buffers*>(c.work);
+    if (const std::array now_of{c.dt, c.p[kTauV], c.p[kK], c.p[kTauEta], c.p[kSigma]}; buffers.of != now_of) {
+      buffers.of = now_of;
+      buffers.transition = LinearNoise<3>(drift(c), {0, 0, c.p[kSigma] * std::sqrt(2 / c.p[kTauEta])}, c.dt);
+    }
+    constexpr Stream streams[] = {Stream::noise, Stream::noise_path, Stream::noise_path_2};
+    for (std::size_t k = 0; k < 3; ++k) buffers.noise[k].draw(c.rng, streams[k], c.tick, now.id);
     const Array3d centre = centre_.in(world.bounds);
-    GaussianNoise& noise = static_cast<Buffers*>(c.work)->noise;
-    noise.draw(c.rng, Stream::noise, c.tick, now.id);
+    const auto &[keep, draw] = buffers.transition;
     for_each_agent(now.size(), [&](Index i, std::size_t) {
-      const Array3d before = now.own.row(i).transpose();
-      const Array3d eta = keep * before + draw * flat(noise[i]);
-      Array3d v = now.vel.row(i).transpose();
-      const Array3d midway = now.pos.row(i).transpose() + 0.5 * c.dt * v;
-      v = slow * v + push * (c.p[kK] * world.bounds.separation(midway, centre) + 0.5 * (before + eta));
-      next.own.row(i) = eta.transpose();
-      next.vel.row(i) = v.transpose();
-      next.pos.row(i) = (midway + 0.5 * c.dt * v).transpose();
+      const Array3d here = now.pos.row(i).transpose(), x = world.bounds.separation(centre, here);
+      const Array3d state[] = {x, now.vel.row(i).transpose(), now.own.row(i).transpose()};
+      const Array3d normal[] = {buffers.noise[0][i], buffers.noise[1][i], buffers.noise[2][i]};
+      Array3d after[3];
+      for (std::size_t r = 0; r < 3; ++r) {
+        after[r] = keep[r][0] * state[0] + keep[r][1] * state[1] + keep[r][2] * state[2];
+        for (std::size_t k = 0; k <= r; ++k) after[r] += draw[r][k] * flat(normal[k]);
+      }
+      next.pos.row(i) = (here + after[0] - x).transpose();
+      next.vel.row(i) = after[1].transpose();
+      next.own.row(i) = after[2].transpose();
     });
     return Step::done;
   }
 
  private:
   Array3d flat(const Array3d& a) const { return dims_ == 2 ? Array3d(a[0], a[1], 0) : a; }
+
+  // d(x, v, eta) / dt without the noise.
+  static LinearNoise<3>::Matrix drift(const StepContext& c) {
+    return {{{0, 1, 0}, {-c.p[kK], -1 / c.p[kTauV], 1}, {0, 0, -1 / c.p[kTauEta]}}};
+  }
 
   int dims_;
   SwarmCentre centre_;
@@ -112,7 +127,7 @@ ModelSpec langevin_spec() {
           .citation = "Okubo 1986, doi:10.1016/0065-227X(86)90003-1; Reynolds et al. 2017, doi:10.1140/epje/i2017-11531-7",
           .dims = {2, 3},
           .native_dt = 0.01,
-          .largest_dt = 1.0 / 40,  // k dt² = 0.003 at the upper bound of k; the shortest memory of the noise is 0.8 steps
+          .largest_dt = INFINITY,  // steps are exact
           .quiet = "sigma_eta=0",
           .options = {},
           .columns = {"eta_x", "eta_y", "eta_z"},

@@ -116,7 +116,7 @@ ModelSpec vicsek_spec() {
               "doi:10.1103/PhysRevLett.92.025702",
           .dims = {2, 3},
           .native_dt = 1,
-          .largest_dt = 1,  // flight between decisions is straight
+          .map = "always",
           .quiet = "eta=0,eta_vectorial=0",
           .options = {{"noise", {"scalar", "vectorial"}, "error of the own steering, or of what is seen of each neighbour"},
                       {"update", {"old", "new"}, "positions move on with the old direction, or with the new one"}},
@@ -124,7 +124,8 @@ ModelSpec vicsek_spec() {
           .parameters =
               {
                   // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source
-                  {"speed", "v0", {1, -1}, {0.03, 0.001, 10}, {1, 0.1, 4}, extent, true, true, "", "constant speed", "1995, text"},
+                  {"speed", "v0", {1, -1}, {0.03, 0.001, 10}, {1, 0.1, 4}, extent, true, true, "", "constant speed", "1995, text", false, {},
+                   Parameter::Shown::speed},
                   {"radius", "r", {1, 0}, {1, 0.01, 100}, {1.5, 0.1, 10}, spacing, true, true, "", "radius of perception", "1995, text"},
                   {"eta",
                    "η",

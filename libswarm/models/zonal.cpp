@@ -11,17 +11,17 @@
 //                                  D = (O + A) / 2, or the one of them whose zone is not empty
 //     nobody, or D = 0             D = own heading
 //   D is then turned by a random angle, normal with standard deviation sigma; in three dimensions about a random axis at right angles.
-//   The heading turns towards D at `turning` radians per second at most, while the agent flies at constant speed:
-//     u turned towards D by at most turning dt;  x = x + speed dt u
+//   The heading turns towards D by at most turning tau at once, and the agent flies straight on at constant speed until the next decision:
+//     u turned towards D by at most turning tau;  x = x + speed tau u
 //
 // Zones are stored as the widths of their shells: R_r = r_rep, R_o = r_rep + r_ori, R_a = r_rep + r_ori + r_att. Sums are not averaged: of
 // orientation and attraction the zone with more agents weighs more. Behind its back an agent is blind to orientation and attraction
 // within the angle `blind` (2002: 90°; thesis: none).
 //
-// With steps of tau this is the published rule, with step length delta = speed tau and largest turn theta_m = turning tau per step. In
-// finer steps an agent turns gradually between the same decisions: headings at decisions are the same, paths are arcs instead of corners,
-// and converge with the step. Decisions and their random numbers belong to multiples of tau, not to steps. A step longer than tau holds
-// one decision only.
+// That is a map, with step length delta = speed tau and largest turn theta_m = turning tau: half the tau is another model, and simulating in
+// finer steps changes nothing, since decisions and their random numbers belong to multiples of tau. A step longer than tau holds one
+// decision only, so in fits a tau below the recording's frame interval is that interval.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,29 +39,22 @@ using Eigen::Array3d;
 // Rows of the parameter table, in its order.
 enum Row : std::size_t { kSpeed, kTurning, kSigma, kRRep, kROri, kRAtt, kBlind, kTau };
 
-// Private columns: the desired direction.
-enum Column : Index { kDesired };
-
 class Zonal : public Model {
  public:
-  explicit Zonal(const Setup& setup) : dims_(setup.dims) {}
-
-  Index columns() const override { return 3; }
-
-  void enter(State& state, Index first, const World&, const StepContext& c) const override {
-    for (Index i = first; i < state.size(); ++i) state.own.row(i).segment<3>(kDesired) = own_heading(state, i, c.rng).transpose();
-  }
+  explicit Zonal(const Setup& setup) : dims_(setup.dims), frame_(setup.reference ? setup.reference->dt() : 0) {}
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
-    const auto decision = decision_due(c, c.p[kTau]);
+    const double interval = std::max(c.p[kTau], frame_);
+    const auto decision = decision_due(c, interval);
     // Neighbours are those strictly nearer than the radius given, the outermost zone holds its edge.
     if (decision) c.near.build(now.pos, world.bounds, (c.p[kRRep] + c.p[kROri] + c.p[kRAtt]) * (1 + 1e-12));
     for_each_agent(now.size(), [&](Index i, std::size_t) {
-      const Array3d before = own_heading(now, i, c.rng);
-      Array3d goal = now.own.row(i).segment<3>(kDesired).transpose();
-      if (decision) goal = noisy(desired(now, i, before, c), now.id[static_cast<std::size_t>(i)], *decision, c);
-      const Array3d heading = turned_towards(before, goal, c.p[kTurning] * c.dt, aside(before, now.id[static_cast<std::size_t>(i)], c));
-      next.own.row(i).segment<3>(kDesired) = goal.transpose();
+      Array3d heading = own_heading(now, i, c.rng);
+      if (decision) {
+        const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
+        const Array3d goal = noisy(desired(now, i, heading, c), id, *decision, c);
+        heading = turned_towards(heading, goal, c.p[kTurning] * interval, aside(heading, id, c));
+      }
       next.vel.row(i) = c.p[kSpeed] * heading.transpose();
       next.pos.row(i) = now.pos.row(i) + c.dt * next.vel.row(i);
     });
@@ -118,6 +111,7 @@ class Zonal : public Model {
   }
 
   int dims_;
+  double frame_;  // frame interval of the recording, or 0
 };
 
 }  // namespace
@@ -130,14 +124,15 @@ ModelSpec zonal_spec() {  // NOLINT(readability-function-size): a table
           .citation = "Couzin et al. 2002, doi:10.1006/jtbi.2002.3065; in the form of Strömbom 2013, thesis, Uppsala",
           .dims = {2, 3},
           .native_dt = 0.1,
-          .largest_dt = 1.0 / 20,
+          .map = "always",
           .quiet = "sigma=0",
           .options = {},
-          .columns = {"desired_x", "desired_y", "desired_z"},
+          .columns = {},
           .parameters =
               {
                   // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source
-                  {"speed", "s", {1, -1}, {3, 0.01, 100}, {1, 0.1, 4}, extent, true, true, "", "constant speed", "2002, Table 1"},
+                  {"speed", "s", {1, -1}, {3, 0.01, 100}, {1, 0.1, 4}, extent, true, true, "", "constant speed", "2002, Table 1", false, {},
+                   Parameter::Shown::speed},
                   {"turning",
                    "θ",
                    {0, -1},
@@ -201,10 +196,10 @@ ModelSpec zonal_spec() {  // NOLINT(readability-function-size): a table
                    {0.05, 0.01, 1},
                    extent,
                    true,
-                   false,
+                   true,
                    "",
-                   "time between decisions",
-                   "2002, Table 1; in fits our choice"},
+                   "time between decisions; at least the recording's frame interval",
+                   "2002, Table 1"},
               },
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Zonal>(setup); }};
 }

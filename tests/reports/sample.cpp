@@ -95,7 +95,7 @@ FitResult fit_result(const Comparison& c, const Sketch& sketch, int rank) {
   r.failed_simulations = rank == 3 ? 17 : 0;
   r.failed_final = 0;
   r.stop_reason = "stalled";
-  r.substeps = 2;
+  r.steps = 2;
   r.infeasible_avoidance = 0.0021;
   r.certainty = {0.5 / rank, 0, 1.0 / rank, sketch.score - 0.03, sketch.score + 0.02, 0.05 * rank, 0.15 * rank, {}};
   for (std::size_t m = 0; m < kMetrics; ++m) r.certainty.own[m] = 0.1 + 0.05 * static_cast<double>(m);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "fit/time_step.h"
+
+#include <cmath>
+
+namespace swarmfit {
+namespace {
+
+constexpr int kMostDoublings = 4;
+constexpr double kStandardErrors = 3;
+constexpr double kSlight = 0.05;  // of an energy: a model that is far from the recording does not come nearer by that
+
+double squared_error(const Outcome& outcome, std::size_t column) {
+  Moments single;
+  for (const Energies& replicate : outcome.replicates) single.add(replicate[column]);
+  const auto n = static_cast<double>(single.count);
+  return n > 1 ? single.m2 / (n - 1) / n : 0;
+}
+
+}  // namespace
+
+bool same_energies(const Outcome& one, const Outcome& other, const Target& target) {
+  for (std::size_t j = 0; j < target.columns().size(); ++j) {
+    if (!target.defined(j)) continue;
+    const double scatter = std::sqrt(squared_error(one, j) + squared_error(other, j));
+    const double slight = std::max(kUnseen * target.worst(), kSlight * std::max(one.raw[j], other.raw[j]));
+    if (std::abs(one.raw[j] - other.raw[j]) > std::max(kStandardErrors * scatter, slight)) return false;
+  }
+  return true;
+}
+
+void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
+                  std::span<const Rng> seeds) {
+  const auto all = [](const std::vector<Outcome>& first) { return std::vector<bool>(first.size(), true); };
+  const auto outcomes = [&](int steps) {
+    objective.use_steps(steps);
+    return objective.race(candidates, seeds, seeds.size(), all);
+  };
+  const auto same = [&](const std::vector<Outcome>& coarse, const std::vector<Outcome>& fine) {
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      if (!same_energies(coarse[c], fine[c], target)) return false;
+    return true;
+  };
+  int steps = objective.steps();
+  auto coarse = outcomes(steps);
+  for (int k = 0; k < kMostDoublings; ++k) {
+    auto fine = outcomes(2 * steps);
+    if (same(coarse, fine)) break;
+    steps *= 2;
+    coarse = std::move(fine);
+  }
+  objective.use_steps(steps);
+}
+
+}  // namespace swarmfit
