@@ -13,7 +13,7 @@
 namespace swarmfit {
 
 // Do all energies agree within three standard errors of the scatter of single runs, within kUnseen of the worst, or within a
-// twentieth of themselves?
+// tenth of themselves?
 bool same_energies(const Outcome& one, const Outcome& other, const Target& target);
 
 // The fewest steps, from as many as the objective has on by doubling, at which one more doubling changes no energy of any of these candidates

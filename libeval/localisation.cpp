@@ -20,9 +20,6 @@ constexpr Index kFewest = 100;                          // differences that a le
 constexpr double kLevelled = 0.9;  // next order's level over this one's; motion slower than 1/6 of the frame rate then adds less than 5 %
 constexpr double kFlat = 1.6;      // largest ratio of levels within the upper third of the spectrum (white: 1, rough acceleration: 2.7)
 constexpr double kDigit = 1.5;     // times the rounding error of the last digit
-// How red the upper half of the spectrum is: 0 for white error, kTilted for a random walk, whose steps are the animal's own. Halfway between
-// them the roughness of the motion and error cannot be told apart.
-const double kTilted = std::log(4.0 / 3) + 2 * std::log(9.0 / 8);
 constexpr double kSlow = 3;        // errors per step: along faster motion they show in the speed as they are
 constexpr double kStraight = 0.5;  // of the error's variance that speeds must show at least
 
@@ -71,13 +68,6 @@ Level level(const Tracks& tracks, Index axis, int differences, int sums = 0) {
   return {sd * sd / norm, static_cast<Index>(size.size())};
 }
 
-struct AxisError {
-  Level error;
-  double acceleration, jerk;  // levels of the second and third differences
-  double tilt;
-  bool white, rounding;
-};
-
 // Filters with most of their response at 0.5, 0.38 and 0.33 cycles per frame: white error has the same level through each.
 bool flat_spectrum(const Tracks& tracks, Index axis) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
@@ -90,11 +80,26 @@ bool flat_spectrum(const Tracks& tracks, Index axis) {
   return high <= kFlat * low;
 }
 
-// What a red spectrum does to the levels: it raises those that see lower frequencies, and lets levels fall on with the order.
-double tilt(const Tracks& tracks, Index axis) {
-  const Level high = level(tracks, axis, 6), low = level(tracks, axis, 6, 2), early = level(tracks, axis, 3), late = level(tracks, axis, 8);
-  return std::log(low.variance / high.variance) + 2 * std::log(early.variance / late.variance);
+// What a red spectrum does to the levels: it raises those that see lower frequencies, and lets levels fall on with the order. 0 for white error;
+// `of_walk` for a random walk, whose steps are the animal's own. From the order on at which motion leaves next to nothing.
+struct Tilt {
+  double seen = 0, of_walk = 0;
+};
+Tilt tilt(const Tracks& tracks, Index axis, int order) {
+  // A random walk's differences of order m are white noise's of order m - 1, so its level is C(2m - 2, m - 1) / C(2m, m).
+  const auto walk = [](double m) { return m / (2 * (2 * m - 1)); };
+  const Level high = level(tracks, axis, 6), low = level(tracks, axis, 6, 2);
+  const Level early = level(tracks, axis, order), late = level(tracks, axis, kHighest);
+  return {std::log(low.variance / high.variance) + 2 * std::log(early.variance / late.variance),
+          std::log(4.0 / 3) + 2 * std::log(walk(order) / walk(kHighest))};
 }
+
+struct AxisError {
+  Level error;
+  double acceleration, jerk;  // levels of the second and third differences
+  Tilt tilt;
+  bool white, rounding;
+};
 
 // The level that speeds have, from one frame to the next, at one order less: white error along the way shows in them as it does in positions,
 // and somebody who flies at a constant speed on a rough path has none. Infinite where steps are hardly longer than errors: speeds then say
@@ -124,9 +129,11 @@ std::optional<AxisError> axis_error(const Tracks& tracks, Index axis, double gri
   Level now = level(tracks, axis, kLowest);
   const Level jerk = level(tracks, axis, 3);
   if (now.samples == 0 || jerk.samples == 0) return std::nullopt;
-  AxisError out{now, now.variance, jerk.variance, 0, false, false};
+  AxisError out{now, now.variance, jerk.variance, {}, false, false};
   bool levelled = false;
-  for (int order = kLowest + 1; order <= kHighest && !levelled; ++order) {
+  int order = kLowest;
+  while (order < kHighest && !levelled) {
+    ++order;
     const Level next = level(tracks, axis, order);
     if (next.samples == 0) break;
     levelled = next.variance >= kLevelled * now.variance;
@@ -136,7 +143,7 @@ std::optional<AxisError> axis_error(const Tracks& tracks, Index axis, double gri
   const double rounding = grid * grid / 12;
   out.rounding = now.variance < kDigit * kDigit * rounding;
   out.white = levelled && flat_spectrum(tracks, axis);
-  out.tilt = tilt(tracks, axis);
+  out.tilt = tilt(tracks, axis, order);
   // Rounding is white, too, and simulated by itself.
   if (!out.rounding) out.error.variance -= rounding;
   return out;
@@ -160,7 +167,8 @@ double share(double part, double whole) { return whole > 0 ? std::clamp(part / w
 
 Localisation estimate_localisation(const Tracks& tracks) {
   Localisation out;
-  double error = 0, acceleration = 0, jerk = 0, tilt = 0, least = INFINITY;
+  double error = 0, acceleration = 0, jerk = 0, least = INFINITY;
+  Tilt tilt;
   int axes = 0, white = 0, rounding = 0;
   const Grid grid = rounding_grid(tracks);
   for (Index axis = 0; axis < tracks.dims(); ++axis) {
@@ -171,14 +179,15 @@ Localisation estimate_localisation(const Tracks& tracks) {
     error += found->error.variance;
     acceleration += found->acceleration;
     jerk += found->jerk;
-    tilt += found->tilt;
+    tilt.seen += found->tilt.seen;
+    tilt.of_walk += found->tilt.of_walk;
     least = std::min(least, found->error.variance);
     ++axes;
     white += found->white;
     rounding += found->rounding;
   }
   out.rounding = axes > 0 && rounding == axes;
-  const bool told_from_walk = tilt < 0.5 * kTilted * axes;
+  const bool told_from_walk = tilt.seen < 0.5 * tilt.of_walk;  // nearer to the one than to the other
   out.white = axes > 0 && white == axes && !out.rounding && told_from_walk && level_of_speeds(tracks, least) >= kStraight * least;
   out.acceleration_share = share(error, acceleration);
   out.jerk_share = share(error, jerk);

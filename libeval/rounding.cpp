@@ -12,6 +12,8 @@ namespace swarmfit {
 namespace {
 
 constexpr int kMostDecimals = 9;
+constexpr double kNearlyAll = 0.95;    // the rest may have been filled in
+constexpr std::size_t kEnough = 20;     // steps along an axis: chance makes a few values multiples of anything
 constexpr double kWhole = 1e-6;        // a number this near to a whole one is one, but for the rounding of doubles
 constexpr double kMostCells = 1e6;     // between the outermost positions: gaps of a finer grid cannot be counted
 constexpr double kNormalShare = 0.6827;  // of a normal law within one standard deviation
@@ -26,14 +28,14 @@ int decimals(double x) {
   return kMostDecimals + 1;
 }
 
-// Of the numbers with no more decimals than most have, the greatest common divisor of their distances; 0 if they have too many.
+// Of the numbers with no more decimals than nearly all have, the greatest common divisor of their distances; 0 if they have too many.
 double decimal_step(const std::vector<double>& values) {
   std::vector<int> count;
   for (const double x : values) count.push_back(decimals(x));
-  const auto middle = count.begin() + static_cast<std::ptrdiff_t>(count.size() / 2);
-  std::nth_element(count.begin(), middle, count.end());
-  if (*middle > kMostDecimals) return 0;
-  const double power = std::pow(10.0, *middle);
+  const auto most = count.begin() + static_cast<std::ptrdiff_t>(kNearlyAll * static_cast<double>(count.size()));
+  std::nth_element(count.begin(), most, count.end());
+  if (*most > kMostDecimals) return 0;
+  const double power = std::pow(10.0, *most);
   std::int64_t divisor = 0, first = 0;
   bool any = false;
   for (const double x : values) {
@@ -54,14 +56,19 @@ double gap_step(std::vector<double> values) {
   for (std::size_t k = 1; k < values.size(); ++k)
     if (const double gap = values[k] - values[k - 1]; gap > least) step = std::min(step, gap);
   if (!std::isfinite(step)) return 0;
-  // Nothing but chance makes a few values multiples of the smallest gap, so many must be.
-  constexpr std::size_t enough = 100;
   constexpr double tolerance = 0.02;
-  if (values.size() < enough) return 0;
   for (std::size_t k = 1; k < values.size(); ++k)
     if (const double cells = (values[k] - values[k - 1]) / step; std::abs(cells - std::round(cells)) > tolerance) return 0;
   // The step, as exactly as the whole range tells it.
   return range / std::round(range / step);
+}
+
+// Does anybody move along this axis? The coordinates of those who rest are few, and lie on many a grid.
+bool moves(const Tracks& tracks, Index axis) {
+  Index moved = 0;
+  for (Index row = 0; row < tracks.rows(); ++row)
+    if (const Index next = tracks.next()[static_cast<std::size_t>(row)]; next >= 0) moved += tracks.pos()(next, axis) != tracks.pos()(row, axis);
+  return moved >= static_cast<Index>(kEnough);
 }
 
 Tracks dithered(const Tracks& tracks, const Grid& grid) {
@@ -104,7 +111,8 @@ Eigen::Array3d Grid::rounded(const Eigen::Array3d& position) const {
 
 Grid rounding_grid(const Tracks& tracks) {
   Grid grid;
-  for (Index axis = 0; axis < tracks.dims() && tracks.rows() > 0; ++axis) {
+  for (Index axis = 0; axis < tracks.dims(); ++axis) {
+    if (!moves(tracks, axis)) continue;
     const auto column = tracks.pos().col(axis);
     const std::vector<double> values(column.begin(), column.end());
     grid.step[axis] = decimal_step(values);

@@ -14,8 +14,8 @@ struct Grid {
   Eigen::Array3d rounded(const Eigen::Array3d& position) const;
 };
 
-// The coarsest grid on which the positions lie: of as many decimals as most of them are written with, at most nine, or of one length, such
-// as a pixel, that all gaps between the values of an axis are multiples of.
+// The coarsest grid on which the positions lie: of as many decimals as nearly all of them are written with, at most nine, or of one length, such
+// as a pixel, that all gaps between the values of an axis are multiples of. None along an axis on which nobody moves.
 Grid rounding_grid(const Tracks& tracks);
 
 // The metrics of a recording, and how much of each is rounding (MetricSamples::rounding): by how much it changes when positions are moved at

@@ -143,8 +143,9 @@ class Brownian : public Model {
       if (confined_) force += c.p[kK] * world.bounds.separation(midway, centre);
       if (repulsion_) force += pairs ? Array3d(buffers.force.row(i).transpose()) : interaction(now, i, c);
       const Propulsion propulsion(*this, now, next, i, c);
-      const Array3d half = before + 0.5 * c.dt * (propulsion(before) + force);
-      const Array3d v = before + c.dt * (propulsion(half) + force) + kick * flat(buffers.noise[i]);
+      const Array3d kicked = kick * flat(buffers.noise[i]);
+      const Array3d half = before + 0.5 * (c.dt * (propulsion(before) + force) + kicked);
+      const Array3d v = before + c.dt * (propulsion(half) + force) + kicked;
       next.vel.row(i) = v.transpose();
       next.pos.row(i) = (midway + 0.5 * c.dt * v + astray * flat(buffers.area[i])).transpose();
     });

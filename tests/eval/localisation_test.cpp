@@ -176,6 +176,38 @@ TEST(Localisation, LangevinMotionWithErrorAboveItsRoughness) {
   for (const double s : l.sigma) EXPECT_NEAR(s, 0.6, 0.03);
 }
 
+// The steps of a random walk are its own: it is rough at every scale, and a quarter less so at the highest frequencies.
+TEST(Localisation, ARandomWalkIsNotTakenForTheCamera) {
+  std::vector<Row> rows;
+  std::array<std::array<double, 3>, 20> place{};
+  for (std::int64_t f = 0; f < 300; ++f)
+    for (std::uint32_t i = 0; i < 20; ++i) {
+      for (std::uint32_t axis = 0; axis < 3; ++axis) place[i][axis] += test::normal(11, static_cast<std::uint64_t>(f), i, axis);
+      rows.push_back({i, f, place[i]});
+    }
+  EXPECT_FALSE(estimate(rows).white);
+}
+
+// A new direction every frame, at one speed: as rough as white error in every coordinate, but a camera would have changed the speed, too.
+TEST(Localisation, RoughPathsAtConstantSpeedAreNotTakenForTheCamera) {
+  const auto zigzag = [](double wobble) {
+    std::vector<Row> rows;
+    std::array<std::array<double, 3>, 20> place{};
+    for (std::int64_t f = 0; f < 300; ++f)
+      for (std::uint32_t i = 0; i < 20; ++i) {
+        const auto tick = static_cast<std::uint64_t>(f);
+        // places that scatter about a straight line of their own, as errors do, but along it only as much as keeps the speed
+        const double before = wobble * test::normal(5, tick, i, 0), after = wobble * test::normal(5, tick + 1, i, 0);
+        rows.push_back({i, f, place[i]});
+        const double across = after - before;
+        place[i][1] += across;
+        place[i][0] += std::sqrt(1 - across * across);
+      }
+    return rows;
+  };
+  EXPECT_FALSE(estimate(zigzag(0.05), 2).white);
+}
+
 TEST(Localisation, PlanarMotionHasNoErrorAlongZ) {
   auto rows = jittered(orbits(), 0.2);
   for (Row& row : rows) row.p[2] = 0;

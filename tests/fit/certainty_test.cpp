@@ -265,7 +265,7 @@ TEST(Certainty, EveryModelExplainsItsOwnRecordings) {
       film.agents = 20;
       const auto truth = varied(model, planted_parameters(model, scales), scales, 2, seed);
       ConditionOptions options;
-      options.step_scales = scales;
+      options.steps = 10;  // as filmed
       const Conditions conditions = make_conditions(planted_recording(model, truth, film, scales, seed), options);
       const Target target(metric_samples(conditions.recording, conditions.metrics), Binning::standard(Normalisation::reference));
       const Objective objective(model, conditions, target);

@@ -56,7 +56,7 @@ class JournalTest : public testing::Test {
       journal.add(batch);
     }
   }
-  static std::string key(int k) { return Journal::key("model", std::vector<double>{1.0, k + 0.5}, std::vector<Rng>{{7}, {8}}); }
+  static std::string key(int k) { return Journal::key("model", 1, std::vector<double>{1.0, k + 0.5}, std::vector<Rng>{{7}, {8}}); }
   std::string path() const { return (dir_ / "checkpoint").string(); }
   void write(const std::string& bytes) const { std::ofstream(path(), std::ios::binary) << bytes; }
 
@@ -79,9 +79,9 @@ TEST_F(JournalTest, KeepsEveryOutcomeToTheBit) {
 TEST_F(JournalTest, KeysTellModelsParametersAndSeedsApart) {
   const std::vector<double> p{1, 2}, q{1, 2.0000000000000004};
   const std::vector<Rng> one{{7}}, two{{7}, {8}};
-  const auto first = Journal::key("a", p, one);
-  EXPECT_EQ(first, Journal::key("a", p, one));
-  for (const auto& other : {Journal::key("b", p, one), Journal::key("a", q, one), Journal::key("a", p, two)}) EXPECT_NE(first, other);
+  const auto first = Journal::key("a", 1, p, one);
+  EXPECT_EQ(first, Journal::key("a", 1, p, one));
+  for (const auto& other : {Journal::key("b", 1, p, one), Journal::key("a", 1, q, one), Journal::key("a", 1, p, two), Journal::key("a", 2, p, one)}) EXPECT_NE(first, other);
 }
 
 TEST_F(JournalTest, TouchesNothingBeforeTheFirstOutcome) {

@@ -79,6 +79,18 @@ TEST(Observer, ErrorHasTheGivenDeviationPerAxisAndNoMemory) {
   }
 }
 
+TEST(Observer, RoundsAsTheFileDoes) {
+  TrackCollector collector;
+  Observer camera(nullptr, {0.3, 0.3, 0.3}, {3}, collector, UINT32_MAX, Grid{{0.1, 0, 0}, {0.5, 0.25, 0}});
+  stream(camera, 5, 0, 9);
+  const Tracks seen = collector.take(recording().meta());
+  for (Index i = 0; i < seen.rows(); ++i) {
+    EXPECT_NEAR(std::remainder(seen.pos()(i, 0) - 0.1, 0.5), 0, 1e-12);
+    EXPECT_NEAR(std::remainder(seen.pos()(i, 1), 0.25), 0, 1e-12);
+    EXPECT_GT(std::abs(std::remainder(seen.pos()(i, 2), 0.001)), 1e-9);  // as it is
+  }
+}
+
 TEST(Observer, FlatMotionStaysFlat) {
   TrackCollector collector;
   Observer camera(nullptr, {1, 1, 0}, {3}, collector);

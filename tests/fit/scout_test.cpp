@@ -23,7 +23,6 @@ struct Scene {
     recording = planted_recording(model, truth, film, kScales, seed);
     ConditionOptions options;
     options.error = ConditionOptions::Error::none;
-    options.step_scales = kScales;
     conditions = make_conditions(recording, options);
   }
   std::vector<Point> points(

@@ -54,6 +54,27 @@ TEST(SearchSpace, StrengthsFromZeroAreSearchedByTheirSquareRoots) {
   EXPECT_NEAR(tenth[row(model, "chi_att")], chi.fit.upper * 400 / 100, 1e-9);
 }
 
+// A speed that everybody keeps can be read off the recording, and is searched around what that shows.
+TEST(SearchSpace, AConstantSpeedIsSearchedAmongRecordedOnes) {
+  for (const char* name : {"boids", "vicsek", "zonal"}) {
+    const auto model = parse_model(name);
+    const auto range = [&](double unlike) {
+      const SearchSpace space(model, {100, 50, 200, unlike}, {});
+      const std::size_t p = row(model, "speed");
+      return std::pair{space.parameters(Point::Zero(space.dimensions()))[p], space.parameters(Point::Ones(space.dimensions()))[p]};
+    };
+    EXPECT_NEAR(range(0).first, 200 * std::exp(-0.02), 1e-9) << name;
+    EXPECT_NEAR(range(0).second, 200 * std::exp(0.02), 1e-9) << name;
+    EXPECT_NEAR(range(0.1).second, 200 * std::exp(0.32), 1e-9) << name;
+    EXPECT_EQ(range(1).second, 4 * 200) << name;  // as the table says
+  }
+  ParameterRequests requests;
+  requests.bounds["speed"] = {1, 1000};  // who asks for more gets it
+  const auto model = parse_model("boids");
+  const SearchSpace space(model, {100, 50, 200, 0}, requests);
+  EXPECT_NEAR(space.parameters(Point::Ones(space.dimensions()))[row(model, "speed")], 1000, 1e-9);
+}
+
 TEST(SearchSpace, AnAxisFromElsewhereIsLinear) {
   ParameterRequests requests;
   requests.bounds["chi_att"] = {-10, 10};

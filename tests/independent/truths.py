@@ -313,7 +313,9 @@ def langevin(run, tau_v=0.6, k=5.0, tau_eta=0.1, sigma_eta=600.0):
 
 @truth("mm", 20, 6, 50)
 def random_walk(run, step_rms=1.0):
-    """Steps that know nothing of each other: isotropic, Gaussian, 1 mm rms per frame. No model of swarmfit.
+    """Steps that know nothing of each other. No model of swarmfit.
+
+        x(t + T) = x(t) + step_rms / sqrt(3) times a standard normal vector;   step_rms = 1 mm, start normal with 30 mm per axis
 
     Facts: per axis increments have variance step_rms² / 3 and no correlation in time, between axes or between agents.
     """
@@ -609,8 +611,8 @@ def vicsek_periodic(run, speed=0.5, radius=0.3, eta=2.0, tau=0.0, box=2.0):
 def half_spaces(p, v, others_p, others_v, radius, tau, h):
     """(points, normals): velocities w with (w - point) normal >= 0 avoid the others for tau if these do their half.
 
-    Van den Berg et al. 2011, section 4: in relative velocities the obstacle is a cone with its apex at 0, tangent to the ball of radius R / tau
-    about r / tau and cut off by it. Half of the shortest way out of it is for this agent to go. Overlapping agents part within h.
+    Van den Berg et al. 2011, section 4: in relative velocities the obstacle is a cone with its apex at 0, tangent to the ball of radius
+    R / tau about r / tau and cut off by it. Half of the shortest way out of it is for this agent to go. Overlapping agents part within h.
     """
     r, w = others_p - p, v - others_v
     R = 2.0 * radius
@@ -790,7 +792,7 @@ def crowd(run, v0=1.34, v0_sd=0.26, tau=0.5, V0=2.1, sigma=0.3, U0=10.0, R=0.2, 
 
 @truth("mm", 20, 5, 100)
 def mixture(run, tau_v=0.6, k=5.0, tau_eta=0.1, sigma_eta=600.0, speed=250.0, k_turn=6.0, D_r=0.3):
-    """Two kinds in one swarm: the first half of the ids are langevin's oscillators, the others fly at constant speed. No model of swarmfit.
+    """Two kinds in one swarm, langevin's oscillators (first half of the ids) and cruisers at constant speed. No model of swarmfit.
 
         oscillators: as langevin;   cruisers: dx = speed u dt,   du = across u of (-k_turn x / speed dt + sqrt(2 D_r) dW)
         tau_v = 0.6 s, k = 5 /s², tau_eta = 0.1 s, sigma_eta = 600 mm/s²; speed = 250 mm/s, k_turn = 6 /s², D_r = 0.3 /s

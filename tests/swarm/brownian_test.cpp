@@ -24,8 +24,9 @@ Lane lane_with(const Made& made, const Values& values, Index agents = 0, double 
   return lane;
 }
 
-// One step without noise: the acceleration of each agent.
-Rows acceleration(const std::string& model, const std::vector<std::pair<Array3d, Array3d>>& agents, Values values, double dt = 1e-3) {
+// One step without noise: the acceleration of each agent. Forces are taken in the middle of the step, so it is short: kShort of a value at most.
+constexpr double kShort = 1e-4;
+Rows acceleration(const std::string& model, const std::vector<std::pair<Array3d, Array3d>>& agents, Values values, double dt = 1e-6) {
   values["D"] = 0;
   const Made made = make(model);
   Lane lane = lane_with(made, values);
@@ -79,7 +80,7 @@ TEST(BrownianFree, IntegralsOfTheStationaryLaw) {
 }
 
 // 1900 speeds after several relaxation times: Kolmogorov's distance at level 1e-3, one moment for each setting. Means over 8
-// moments: standard error 0.4 %, and the step makes them up to 0.5 % too large.
+// moments: standard error 0.4 %.
 TEST(BrownianFree, SpeedsHaveTheStationaryLaw) {
   for (const int dims : {2, 3})
     for (const auto& p : kPublished) {
@@ -141,24 +142,24 @@ TEST(BrownianConfined, Equipartition) {
 
 TEST(BrownianForce, Rayleigh) {
   const Values values{{"gamma1", 0.5}, {"gamma2", 2}};
-  EXPECT_NEAR3(first(acceleration("brownian[confinement=none]", {{{9, 9, 9}, {0, 0.3, 0.4}}}, values)), Array3d(0, 0, 0), 1e-12);
-  EXPECT_NEAR3(first(acceleration("brownian[confinement=none]", {{{9, 9, 9}, {0, 3, 4}}}, values)), Array3d(0, -148.5, -198), 1e-9);
+  EXPECT_NEAR3(first(acceleration("brownian[confinement=none]", {{{9, 9, 9}, {0, 0.3, 0.4}}}, values)), Array3d(0, 0, 0), kShort);
+  EXPECT_NEAR3(first(acceleration("brownian[confinement=none]", {{{9, 9, 9}, {0, 3, 4}}}, values)), Array3d(0, -148.5, -198), 198 * kShort);
 }
 
 TEST(BrownianForce, HarmonicAboutTheCentre) {
   const Values values{{"k", 3}};
-  EXPECT_NEAR3(first(acceleration("brownian", {{{1, -2, 4}, {0, 0, 0}}}, values)), Array3d(-3, 6, -12), 1e-12);
+  EXPECT_NEAR3(first(acceleration("brownian", {{{1, -2, 4}, {0, 0, 0}}}, values)), Array3d(-3, 6, -12), 12 * kShort);
   EXPECT_NEAR3(first(acceleration("brownian[confinement=none]", {{{1, -2, 4}, {0, 0, 0}}}, values)), Array3d(0, 0, 0), 1e-15);
   State seen;
   seen.spawn(0, {2, 2, 2}, {0, 0, 0});
   seen.spawn(0, {4, 0, 2}, {0, 0, 0});
   const Tracks reference = recording_of(seen);
   const Made made = make("brownian", 3, &reference);
-  Lane lane = lane_with(made, {{"k", 3}, {"D", 0}});
+  Lane lane = lane_with(made, {{"k", 3}, {"D", 0}, {"gamma1", 0}, {"gamma2", 0}});
   lane.state.spawn(0, {3, 1, 1}, {0, 0, 0});  // below (3, 1, 2)
   run(made, {.frame_dt = 0.01, .frames = 2}, lane);
   EXPECT_NEAR3(first(lane.state.vel), Array3d(0, 0, 0.03), 1e-15);
-  EXPECT_NEAR3(first(lane.state.pos), Array3d(3, 1, 1.0003), 1e-15);  // with the new velocity
+  EXPECT_NEAR3(first(lane.state.pos), Array3d(3, 1, 1.00015), 1e-15);  // with the mean of both velocities
 }
 
 TEST(BrownianForce, RepulsionAndMorse) {
@@ -167,8 +168,8 @@ TEST(BrownianForce, RepulsionAndMorse) {
   const double repulsion = 4 * std::exp(-2.0), attraction = 2 * std::exp(-1 / 1.5);
   const auto expect = [&](const std::string& interaction, double f) {
     const Rows a = acceleration("brownian[confinement=none,interaction=" + interaction + "]", pair, values);
-    EXPECT_NEAR3(first(a), Array3d(0, -0.6 * f, -0.8 * f), 1e-12);
-    EXPECT_LT((a.row(0) + a.row(1)).abs().maxCoeff(), 1e-12);
+    EXPECT_NEAR3(first(a), Array3d(0, -0.6 * f, -0.8 * f), kShort);
+    EXPECT_LT((a.row(0) + a.row(1)).abs().maxCoeff(), 1e-9);
   };
   expect("repulsion", repulsion);
   expect("morse", repulsion - attraction);
@@ -200,14 +201,14 @@ TEST(BrownianForce, OfAGroupIsTheSumOverTheOthers) {
       const double d = std::sqrt(from.square().sum());
       if (j != i) sum += 2 / 0.5 * std::exp(-d / 0.5) / d * from;
     }
-    ASSERT_LT((a.row(i).transpose() - sum).abs().maxCoeff(), 1e-8) << "agent " << i;
+    ASSERT_LT((a.row(i).transpose() - sum).abs().maxCoeff(), kShort) << "agent " << i;
   }
 }
 
 TEST(BrownianForce, SamePlaceParts) {
   const Rows a = acceleration("brownian[confinement=none]", {{{1, 2, 3}, {0, 0, 0}}, {{1, 2, 3}, {0, 0, 0}}}, {{"C_r", 2}, {"l_r", 0.5}});
-  EXPECT_NEAR(std::sqrt(a.row(0).square().sum()), 4, 1e-9);
-  EXPECT_LT((a.row(0) + a.row(1)).abs().maxCoeff(), 1e-12);
+  EXPECT_NEAR(std::sqrt(a.row(0).square().sum()), 4, 4 * kShort);
+  EXPECT_LT((a.row(0) + a.row(1)).abs().maxCoeff(), 1e-9);
 }
 
 // ---- depot --------------------------------------------------------------------------------------------------------------------
@@ -217,7 +218,7 @@ const std::string kDepot = "brownian[friction=depot,confinement=none]";
 TEST(BrownianDepot, EntersInBalance) {
   const Values values{{"q0", 6}, {"c", 2}, {"d2", 4}, {"g0", 0.5}};
   // v² = 0.25: e = 6 / (2 + 1) = 2, f = 4 · 2 - 0.5
-  EXPECT_NEAR3(first(acceleration(kDepot, {{{0, 0, 0}, {0, 0.5, 0}}}, values)), Array3d(0, 0.5 * 7.5, 0), 1e-9);
+  EXPECT_NEAR3(first(acceleration(kDepot, {{{0, 0, 0}, {0, 0.5, 0}}}, values)), Array3d(0, 0.5 * 7.5, 0), 3.75 * kShort);
 }
 
 TEST(BrownianDepot, SettlesAtTheSpeedWhereIntakeAndFrictionBalance) {
@@ -259,8 +260,8 @@ TEST(BrownianStep, IsHalvedForTheFast) {
   lane.state.spawn(0, {0, 0, 0}, {2, 0, 0});
   run(made, {.frame_dt = 0.1, .frames = 2}, lane);
   EXPECT_EQ(lane.count.halved_steps, 1u);  // 4 dt > 0.2 at 0.1, not at 0.05
-  const double once = 2 - 8 * 0.05;
-  EXPECT_NEAR(lane.state.vel(0, 0), once - once * once * once * 0.05, 1e-15);
+  const auto midpoint = [](double v) { return v - 0.05 * std::pow(v - 0.5 * 0.05 * std::pow(v, 3), 3); };
+  EXPECT_NEAR(lane.state.vel(0, 0), midpoint(midpoint(2)), 1e-14);
 }
 
 }  // namespace

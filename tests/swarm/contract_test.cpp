@@ -307,7 +307,7 @@ TEST_P(EveryModel, ManyRandomCandidatesMoveAboutAsFastAsTheRecording) {
     setup.options = choice.options;
     setup.scales = r.scales;
     const Made made{choice, choice.spec->make(setup)};
-    Plan plan{.frame_dt = r.dt, .substeps = substeps(*choice.spec, r.scales, r.dt), .frames = 150};
+    Plan plan{.frame_dt = r.dt, .substeps = stable_steps(choice, r.scales, r.dt), .frames = 150};
     int matching = 0;
     const std::uint32_t candidates = 100;
     for (std::uint32_t k = 0; k < candidates; ++k) {

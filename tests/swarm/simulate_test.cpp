@@ -168,10 +168,16 @@ TEST(Simulate, SubstepsFollowTheTimeScale) {
   ModelSpec spec{};
   spec.largest_dt = 0.1;
   const Scales scales{.extent = 2, .spacing = 1, .speed = 4};  // T = 0.5 s
-  EXPECT_EQ(substeps(spec, scales, 0.01), 1);
-  EXPECT_EQ(substeps(spec, scales, 0.05), 1);
-  EXPECT_EQ(substeps(spec, scales, 0.051), 2);
-  EXPECT_EQ(substeps(spec, scales, 1), 20);
+  const ModelChoice choice{&spec, {}, "straight"};
+  EXPECT_EQ(stable_steps(choice, scales, 0.01), 1);
+  EXPECT_EQ(stable_steps(choice, scales, 0.05), 1);
+  EXPECT_EQ(stable_steps(choice, scales, 0.051), 2);
+  EXPECT_EQ(stable_steps(choice, scales, 1), 20);
+  spec.map = "always";
+  EXPECT_EQ(stable_steps(choice, scales, 1), 1);
+  spec.map = {};
+  spec.largest_dt = INFINITY;
+  EXPECT_EQ(stable_steps(choice, scales, 1), 1);
 }
 
 // 200 steps more cost no allocation more, but for buffers that meet a denser crowd than any before.

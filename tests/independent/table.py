@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Is the model that made a recording found again? Every truth against its rivals, several data seeds each, as a table.
+
+    python3 table.py PROGRAM [--truths brownian,boids] [--seeds 1:10] [--budget quick] [--jobs 2] [--make '--steps 40'] [--out DIR]
+
+A row says in how many recordings the true model is in the best group, alone there, and rejected (fit p <= .05), and the median of
+|fitted / true - 1| of every parameter. DIR keeps the recordings and results; what is in it is not computed again.
+"""
+import argparse
+import concurrent.futures
+import json
+import pathlib
+import shlex
+import statistics
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+# Whom each truth is compared with, beside its own model.
+RIVALS = {
+    "brownian": ["langevin", "bswarm"],
+    "rayleigh": ["langevin", "boids"],
+    "langevin": ["brownian", "boids"],
+    "bswarm_white": ["brownian", "langevin"],
+    "bswarm_curl": ["bswarm[noise=white,avoidance=none]", "langevin"],
+    "boids": ["zonal", "brownian"],
+    "couzin": ["boids", "vicsek"],
+    "vicsek": ["zonal", "boids"],
+    "vicsek_periodic": ["zonal", "boids"],
+    "rvo": ["boids", "langevin"],
+    "noise_aware": ["langevin", "brownian"],
+    "random_walk": ["zonal", "brownian", "langevin", "boids"],
+    "crowd": ["brownian", "langevin", "rvo"],
+    "mixture": ["brownian", "langevin", "boids"],
+}
+
+
+def make_truth(name, seed, directory, options=""):
+    """The recording and what made it."""
+    recording, truth = directory / "recording.csv", directory / "truth.json"
+    if not truth.exists():
+        subprocess.run([sys.executable, HERE / "truths.py", name, "--seed", str(seed), "--out", recording, "--truth", truth,
+                        *shlex.split(options)], check=True)
+    return recording, json.loads(truth.read_text())
+
+
+def compare(program, recording, models, directory, budget, seed=1, options=""):
+    """results.json of a comparison, or of a fit of one model."""
+    results = directory / "results.json"
+    if not results.exists():
+        command = "compare" if len(models) > 1 else "fit"
+        subprocess.run([program, command, recording, "-m", ",".join(models), "--budget", budget, "--seed", str(seed), "--out", directory,
+                        "--quiet", *shlex.split(options)], check=True, stdout=subprocess.DEVNULL)
+    return json.loads(results.read_text())
+
+
+def one(program, name, seed, budget, make, options, out):
+    directory = out / budget / name / str(seed)
+    directory.mkdir(parents=True, exist_ok=True)
+    recording, truth = make_truth(name, seed, directory, make)
+    own = [truth["model"]] if truth["model"] else []
+    results = compare(program, recording, own + RIVALS[name], directory / "run", budget, seed, options)
+    return truth, results
+
+
+def entry_of(results, model):
+    return next(m for m in results["models"] if m["name"] == model)
+
+
+def errors(truth, entry):
+    """|fitted / true - 1| of the parameters that were searched and are not zero."""
+    out = {}
+    for name, value in truth["parameters"].items():
+        found = entry["parameters"].get(name)
+        if found and found["lower"] < found["upper"] and value:
+            out[name] = abs(found["value"] / value - 1)
+    return out
+
+
+def summary(cases):
+    """One row: counts, and medians over the recordings."""
+    own = [entry_of(results, truth["model"]) for truth, results in cases]
+    names = {name for (truth, _), entry in zip(cases, own) for name in errors(truth, entry)}
+    off = {n: statistics.median(errors(truth, entry)[n] for (truth, _), entry in zip(cases, own)) for n in sorted(names)}
+    first = [results["models"][0]["name"] == truth["model"] for truth, results in cases]
+    return {"recordings": len(cases), "first": sum(first), "best_group": sum(e["group"] == 1 for e in own),
+            "alone": sum(f and sum(m["group"] == 1 for m in r["models"]) == 1 for f, (_, r) in zip(first, cases)),
+            "rejected": sum(e["gof_p"] <= 0.05 for e in own), "off": off, "steps": sorted({e["n_sub"] for e in own})}
+
+
+def print_row(name, cases):
+    if cases[0][0]["model"] is None:
+        winners = [(r["models"][0]["name"], r["models"][0]["gof_p"], r["models"][0]["skill"]) for _, r in cases]
+        rejected = sum(p <= 0.05 for _, p, _ in winners)
+        print(f"| {name} | {len(cases)} | none of ours | – | all rejected in {rejected} | winners: "
+              + ", ".join(sorted({w for w, _, _ in winners})) + " |")
+        return
+    s = summary(cases)
+    off = ", ".join(f"{n} {100 * v:.3g} %" for n, v in s["off"].items())
+    steps = ", ".join(str(n) for n in s["steps"])
+    print(f"| {name} | {s['recordings']} | {s['best_group']} | {s['alone']} | {s['rejected']} | {steps} | {off} |", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--truths", default=",".join(RIVALS))
+    parser.add_argument("--seeds", default="1:10")
+    parser.add_argument("--budget", default="quick")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--make", default="", help="further options of truths.py")
+    parser.add_argument("--options", default="", help="further options of the program")
+    parser.add_argument("--out", default="independent")
+    a = parser.parse_args()
+    first, last = (int(s) for s in a.seeds.split(":"))
+    print("| truth | recordings | in the best group | alone | rejected | steps per frame | median error of fitted parameters |")
+    print("|---|---|---|---|---|---|---|", flush=True)
+    with concurrent.futures.ThreadPoolExecutor(a.jobs) as pool:
+        for name in a.truths.split(","):
+            runs = [pool.submit(one, a.program, name, seed, a.budget, a.make, a.options, pathlib.Path(a.out)) for seed in range(first, last + 1)]
+            print_row(name, [run.result() for run in runs])
+
+
+if __name__ == "__main__":
+    main()
