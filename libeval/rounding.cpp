@@ -63,12 +63,19 @@ double gap_step(std::vector<double> values) {
   return range / std::round(range / step);
 }
 
-// Does anybody move along this axis? The coordinates of those who rest are few, and lie on many a grid.
+// Do individuals move along this axis, and not all by the same from frame to frame? Coordinates of those who rest, or keep their speed, lie
+// on grids of their own.
 bool moves(const Tracks& tracks, Index axis) {
-  Index moved = 0;
+  std::vector<double> steps;
   for (Index row = 0; row < tracks.rows(); ++row)
-    if (const Index next = tracks.next()[static_cast<std::size_t>(row)]; next >= 0) moved += tracks.pos()(next, axis) != tracks.pos()(row, axis);
-  return moved >= static_cast<Index>(kEnough);
+    if (const Index next = tracks.next()[static_cast<std::size_t>(row)]; next >= 0)
+      if (const double step = tracks.pos()(next, axis) - tracks.pos()(row, axis); step != 0) steps.push_back(step);
+  if (steps.size() < kEnough) return false;
+  std::sort(steps.begin(), steps.end());
+  const double same = kWhole * std::max(std::abs(steps.front()), std::abs(steps.back()));
+  std::size_t kinds = 1;
+  for (std::size_t k = 1; k < steps.size(); ++k) kinds += steps[k] - steps[k - 1] > same;
+  return kinds > 1;
 }
 
 Tracks dithered(const Tracks& tracks, const Grid& grid) {

@@ -179,11 +179,12 @@ TEST(Conditions, AnErrorThatShowsInNoMetricIsNotSimulated) {
     film.sigma = sigma;
     return make_conditions(planted_recording(model, planted_parameters(model, scales), film, scales, 1), {});
   };
-  const Conditions exact = seen(0), noisy = seen(0.3);
-  EXPECT_TRUE(exact.localisation.white);
-  EXPECT_GT(exact.localisation.sigma.minCoeff(), 0);
-  EXPECT_LT(exact.localisation.sigma.maxCoeff(), 0.01);
+  const Conditions exact = seen(0), fine = seen(1e-4), noisy = seen(0.3);
+  EXPECT_FALSE(exact.localisation.white) << "speeds do not show it";
   EXPECT_TRUE(exact.sigma.isZero());
+  EXPECT_TRUE(fine.localisation.white);
+  EXPECT_NEAR(fine.localisation.sigma.mean(), 1e-4, 2e-5);
+  EXPECT_TRUE(fine.sigma.isZero()) << "nor does any metric";
   EXPECT_NEAR(noisy.sigma.mean(), 0.3, 0.03);
 }
 

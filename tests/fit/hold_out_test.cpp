@@ -61,9 +61,10 @@ TEST(HoldOut, FitsTheFirstHalfAndScoresTheSecond) {
   conditions.scales = fitted.scales;
   conditions.sigma = fitted.sigma;
   const Target target(metric_samples(conditions.recording, conditions.metrics), options.binning);
-  const Objective objective(parse_model("bswarm"), conditions, target);
+  Objective objective(parse_model("bswarm"), conditions, target);
   const auto& fit = held.models[0];
   ASSERT_EQ(fit.model, "bswarm");
+  objective.use_steps(fit.steps);
   const auto raw =
       objective.evaluate(parameter_values(parse_model("bswarm"), fit), replicate_seeds({options.seed}, Stream::final_seeds, 3)).raw;
   EXPECT_EQ(fit.held_out.raw, raw);
