@@ -310,6 +310,7 @@ struct Program {
     sub.add_option("--resolution", a.resolution, "as in compare")->check(CLI::IsMember({"recording", "none"}));
     sub.add_option("--scoring", a.scoring, "as in compare")->check(CLI::IsMember({"proper", "pooled"}));
     sub.add_option("--calibration", a.calibration, "as in compare")->check(CLI::IsMember({"mean", "last"}));
+    sub.add_option("--steps", a.steps, "as in compare; recordings are filmed with ten steps per frame");
     sub.add_option("--protocol", a.protocol, "as in compare")->check(CLI::IsMember({"default", "ren2016"}))->capture_default_str();
     sub.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
     sub.add_option("--max-evaluations", a.max_evaluations, "hard limit of candidates per model")->check(CLI::NonNegativeNumber);

@@ -34,6 +34,7 @@ RecoveryOptions recovery_options(const RecoverArguments& a) {
   fit.resolution = a.resolution;
   fit.scoring = a.scoring;
   fit.calibration = a.calibration;
+  fit.steps = a.steps;
   RecoveryOptions o;
   o.compare = compare_options(with_protocol(fit));
   o.planted = a.planted.empty() ? o.compare.models : parse_models(a.planted);
@@ -86,6 +87,7 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   if (!a.resolution.empty()) s.emplace_back("resolution", quoted(a.resolution));
   if (!a.scoring.empty()) s.emplace_back("scoring", quoted(a.scoring));
   if (!a.calibration.empty()) s.emplace_back("calibration", quoted(a.calibration));
+  if (!a.steps.empty()) s.emplace_back("steps", quoted(a.steps));
   std::vector<std::string> set;
   for (const auto& text : a.set) set.push_back(quoted(text));
   if (!set.empty()) s.emplace_back("set", fmt::format("[{}]", fmt::join(set, ", ")));

@@ -141,7 +141,8 @@ ObservationFacts observation_facts(const Conditions& c, const Target& target, co
   facts.unseen = c.unseen;
   facts.error_source = name_of(c.options.error);
   facts.sigma = c.sigma;
-  facts.white = c.localisation.white;
+  facts.white = c.localisation.white || c.localisation.rounding;
+  facts.rounding = c.grid.step;
   facts.smoothing = c.options.smoothing;
   facts.velocity = c.options.velocity == VelocitySource::difference ? "difference" : "recorded";
   facts.independent = independent_samples(c.recording, c.metrics);

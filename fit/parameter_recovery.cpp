@@ -42,7 +42,7 @@ std::optional<ParameterCase> one_case(const RecoveryOptions& options, const Comp
   if (!reachable(space, truth)) return {};
   const Target target(recorded_samples(conditions.recording, conditions.metrics), compare.binning);
   Objective objective(model, conditions, target);
-  if (!model.spec->is_map(model.options))
+  if (compare.conditions.steps == 0 && !model.spec->is_map(model.options))
     settle_steps(objective, target, {truth}, replicate_seeds({seed}, Stream::selection, compare.budget.selection.replicates));
   const auto found = posterior_of(space, objective, conditions, target, Rng{seed}.derive(Stream::posterior, 0));
   ParameterCase out{seed, {}, found.parameters, {}, {}, {}};

@@ -58,6 +58,7 @@ struct ObservationFacts {
   std::string error_source;                       // "estimate", "given", "none"
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error per axis [unit]
   bool white = true;                              // the estimate is consistent with white error
+  Eigen::Array3d rounding = Eigen::Array3d::Zero();  // to which positions are rounded on both sides, per axis [unit]; 0: not
   double smoothing = 0;                           // standard deviation of the Gaussian smoothing of both sides [frames]; 0: none
   std::string velocity;                           // "difference" or "recorded"
   PerColumn<double> independent{};                // effective sample size of each column (libeval/independent.h); NaN undefined

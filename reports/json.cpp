@@ -42,6 +42,7 @@ Json observation(const Columns& columns, const ObservationFacts& o) {
   return {{"error_source", o.error_source},
           {"sigma", array(o.sigma)},
           {"white", o.white},
+          {"rounding", array(o.rounding)},
           {"smoothing", o.smoothing},
           {"velocity", o.velocity},
           {"independent_samples", per_column(columns, o.independent)},
@@ -179,6 +180,8 @@ Json model(const Columns& columns, const FitResult& r) {
           {"failed_final", r.failed_final},
           {"stop_reason", r.stop_reason},
           {"n_sub", r.steps},
+          {"map", r.map},
+          {"steps_settled", r.steps_settled},
           {"infeasible_avoidance", r.infeasible_avoidance},
           {"convergence", convergence(r.convergence)}};
 }

@@ -183,7 +183,8 @@ TEST(Conditions, AnErrorThatShowsInNoMetricIsNotSimulated) {
   EXPECT_FALSE(exact.localisation.white) << "speeds do not show it";
   EXPECT_TRUE(exact.sigma.isZero());
   EXPECT_TRUE(fine.localisation.white);
-  EXPECT_NEAR(fine.localisation.sigma.mean(), 1e-4, 2e-5);
+  EXPECT_GT(fine.localisation.sigma.minCoeff(), 0.9e-4);
+  EXPECT_LT(fine.localisation.sigma.maxCoeff(), 1e-3);
   EXPECT_TRUE(fine.sigma.isZero()) << "nor does any metric";
   EXPECT_NEAR(noisy.sigma.mean(), 0.3, 0.03);
 }
