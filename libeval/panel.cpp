@@ -32,6 +32,7 @@ struct Sums {
   double spread_rows = 0, spread_free = 0;  // rows behind the scatter, and less one per frame
   double polarisation = 0, polarised = 0;
   double nearest = 0, spacing = 0;  // sum of distances, sum of n^(-1/dims) over the same rows
+  double speed = 0, steps = 0;
   double group_msd = 0, group_msd_n = 0;
   Eigen::ArrayXd vacf, vacf_n, msd, msd_n;
 
@@ -55,6 +56,7 @@ void Sums::add(const Sums& o, double sign) {
   spread_rows += sign * o.spread_rows, spread_free += sign * o.spread_free;
   polarisation += sign * o.polarisation, polarised += sign * o.polarised;
   nearest += sign * o.nearest, spacing += sign * o.spacing;
+  speed += sign * o.speed, steps += sign * o.steps;
   group_msd += sign * o.group_msd, group_msd_n += sign * o.group_msd_n;
   vacf += sign * o.vacf, vacf_n += sign * o.vacf_n, msd += sign * o.msd, msd_n += sign * o.msd_n;
 }
@@ -71,6 +73,7 @@ class Accumulator {
 
   std::vector<Sums> take() {
     group();
+    speeds();
     forces();
     correlations();
     return std::move(sums_);
@@ -101,6 +104,16 @@ class Accumulator {
         s.scatter += r * r.transpose();
         s.nearest += nearest.distance[static_cast<std::size_t>(row)];
       }
+    }
+  }
+
+  void speeds() {
+    for (Index row = 0; row < tracks_.rows(); ++row) {
+      const Index after = next(row);
+      if (after < 0) continue;
+      Sums& s = block(row);
+      s.speed += std::sqrt((pos(after) - pos(row)).square().sum()) / plan_.dt;
+      ++s.steps;
     }
   }
 
@@ -201,11 +214,13 @@ Panel panel_of(const Sums& s, const PanelPlan& plan) {
   const auto axes = static_cast<std::size_t>(plan.dims);
   for (std::size_t k = 0; k < axes; ++k)
     out.values.push_back(std::sqrt(s.scatter(static_cast<Index>(k), static_cast<Index>(k)) / s.spread_rows));
+  out.values.push_back(s.speed / s.steps);
   out.values.push_back(first_zero(out.vacf, plan));
   for (Index j = 0; j < s.msd.size(); ++j) out.values.push_back(s.msd(j) / s.msd_n(j));
   out.values.push_back(s.group_msd / s.group_msd_n);
   for (std::size_t k = 0; k < axes; ++k) out.values.push_back(stiffness(s.axis[k]));
   out.values.push_back(s.polarisation / s.polarised);
+  out.values.push_back(s.nearest / s.spread_rows);
   out.values.push_back(nearest_ratio(s, plan.dims));
   double sum = 0;
   for (std::size_t k = 0; k < axes; ++k) sum += kurtosis(s.axis[k]);
@@ -239,6 +254,7 @@ std::vector<PanelItem> PanelPlan::items() const {
   std::vector<PanelItem> out;
   const std::string axes = "xyz";
   for (int k = 0; k < dims; ++k) out.push_back({fmt::format("sd_{}", axes[k]), fmt::format("extent along {} (sd)", axes[k]), 1, 0});
+  out.push_back({"speed", "mean speed", 1, -1});
   out.push_back({"vacf_zero", "zero of the velocity autocorrelation", 0, 1});
   for (const Index lag : msd_lags) {
     const double seconds = static_cast<double>(lag) * dt;
@@ -251,6 +267,7 @@ std::vector<PanelItem> PanelPlan::items() const {
   }
   for (int k = 0; k < dims; ++k) out.push_back({fmt::format("k_{}", axes[k]), fmt::format("restoring slope along {}", axes[k]), 0, -2});
   out.push_back({"polarisation", "polarisation", 0, 0});
+  out.push_back({"nearest", "mean distance to the nearest neighbour", 1, 0});
   out.push_back({"nearest_ratio", "nearest distance over that of a Poisson process", 0, 0});
   out.push_back({"kurtosis", "kurtosis of the acceleration", 0, 0});
   return out;

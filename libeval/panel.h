@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Observables that no score sees: whether a model that was fitted to a few frames of motion also gets the seconds and the group right.
+// Observables that no score sees: whether a model that was fitted to a few frames of motion also gets the seconds and the group right. And
+// two means that a score sees only as distributions: whether it gets wrong what anybody sees.
 #pragma once
 
 #include <string>
@@ -18,13 +19,15 @@ struct PanelItem {
 
 // What is measured, and at which lags: set by the recording, so that simulations are measured alike.
 //   sd_x, sd_y, sd_z      extent: standard deviation of positions about the frame's centroid (frames with two or more)
+//   speed                 mean length of a step over its time, the motion of the group included
 //   vacf_zero             first zero of the velocity autocorrelation <v(t)·v(t+τ)>/<v²>, interpolated; NaN if it has none
 //   msd_τs                mean squared displacement after τ: 1/8, 1/4, 1/2 and 1 s (1, 2, 4, 8 frames if the frames are sparse)
 //   group_msd_τs          the same of the group as a whole (group_path), after the longest of these: does it stay where it is?
 //   k_x, k_y, k_z         effective force: minus the slope of acceleration (second difference) against the place relative to the centroid,
 //                         least squares; localisation error σ adds 2σ²/(dt² Var x)
 //   polarisation          mean over frames of |mean heading|
-//   nearest_ratio         mean distance to the nearest other over that of a Poisson process of the same density: 0.554 ρ^(-1/3) in 3-D,
+//   nearest               mean distance to the nearest other
+//   nearest_ratio         the same over that of a Poisson process of the same density: 0.554 ρ^(-1/3) in 3-D,
 //                         ρ^(-1/2)/2 in 2-D; ρ is the number in the frame over the volume of the uniform ellipsoid (ellipse) with the
 //                         covariance of all positions about their centroids. A uniform cloud of a few dozen lies a few per cent above 1,
 //                         since those on its surface have neighbours on one side only.

@@ -158,10 +158,27 @@ TEST(Panel, MotionOfTheGroupIsTakenOut) {
   const Tracks flying = tracks_of(rows, {.dt = law.dt});
   const auto a = panel_named(still), b = panel_named(flying);
   for (const auto& [key, value] : a) {
-    if (key == "polarisation" || key == "group_msd_1s") continue;
+    if (key == "polarisation" || key == "group_msd_1s" || key == "speed") continue;
     EXPECT_NEAR(b.at(key), value, 1e-6 * std::abs(value)) << key;
   }
   EXPECT_GT(b.at("polarisation"), 0.9);
+  EXPECT_GT(b.at("speed"), 700);
+}
+
+// Two at a distance of 3 and one 5 from both, flying on at 2; the third rests in every second frame.
+TEST(Panel, MeanSpeedAndDistanceByHand) {
+  std::vector<Row> rows;
+  for (std::int64_t k = 0; k < 41; ++k) {
+    const double x = 0.2 * static_cast<double>(k);
+    rows.push_back({0, k, {x, 0, 0}});
+    rows.push_back({1, k, {x, 3, 0}});
+    rows.push_back({2, k, {0.4 * static_cast<double>(k / 2), 103, 0}});
+  }
+  const auto got = panel_named(tracks_of(rows, {.dims = 2}));
+  EXPECT_NEAR(got.at("speed"), 2, 1e-9);  // the third's are 0 and 4
+  double third = 0;
+  for (std::int64_t k = 0; k < 41; ++k) third += std::hypot(100, 0.2 * static_cast<double>(k % 2)) / 41;
+  EXPECT_NEAR(got.at("nearest"), (3 + 3 + third) / 3, 1e-9);
 }
 
 // A group that is carried along at 7 per second: 49 after a second, its members' own displacements as if it stood. Frames without anybody
