@@ -25,11 +25,16 @@ Histogram sum_of(const HalfDistance::Blocks& blocks, std::size_t metric, unsigne
   return sum;
 }
 
-// Total variation over all choices of half the blocks: of `a` those chosen, of `b` the rest.
+// Of `a` the chosen blocks, of `b` the rest.
+double half_against_half(const HalfDistance::Blocks& a, const HalfDistance::Blocks& b, std::size_t metric, unsigned mask) {
+  return total_variation(sum_of(a, metric, mask), sum_of(b, metric, kAll & ~mask));
+}
+
+// Total variation over all choices of half the blocks.
 Moments over_halves(const HalfDistance::Blocks& a, const HalfDistance::Blocks& b, std::size_t metric) {
   Moments moments;
   for (unsigned mask = 0; mask <= kAll; ++mask)
-    if (std::popcount(mask) == kBlocks / 2) moments.add(total_variation(sum_of(a, metric, mask), sum_of(b, metric, kAll & ~mask)));
+    if (std::popcount(mask) == kBlocks / 2) moments.add(half_against_half(a, b, metric, mask));
   return moments;
 }
 
@@ -49,6 +54,18 @@ HalfDistance::HalfDistance(const Tracks& recording, const MetricOptions& options
     floor_[m] = moments.mean;
     floor_sd_[m] = moments.sd();
   }
+}
+
+Moments HalfDistance::floor_over(const PerColumn<bool>& used) const {
+  Moments moments;
+  for (unsigned mask = 0; mask <= kAll; ++mask) {
+    if (std::popcount(mask) != kBlocks / 2) continue;
+    PerColumn<double> distance(columns().size(), kNaN);
+    for (std::size_t m = 0; m < distance.size(); ++m)
+      if (used[m]) distance[m] = half_against_half(recording_, recording_, m, mask);
+    moments.add(mean_used(distance, used));
+  }
+  return moments;
 }
 
 HalfDistance::Blocks HalfDistance::blocks(const Tracks& tracks) const {

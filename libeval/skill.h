@@ -30,6 +30,8 @@ class HalfDistance {
   // The recording against itself: the least distance that can be asked for. Standard deviation over the choices of halves.
   const PerColumn<double>& floor() const { return floor_; }
   const PerColumn<double>& floor_sd() const { return floor_sd_; }
+  // Of the mean over some columns; undefined, with count 0, if one of them is or none is used.
+  Moments floor_over(const PerColumn<bool>& used) const;
 
   // All blocks pooled.
   static PerColumn<Histogram> pooled(const Blocks& blocks);
@@ -46,9 +48,9 @@ class HalfDistance {
   PerColumn<double> floor_, floor_sd_;
 };
 
-// skill = 1 - (D - D_floor)/(D_null - D_floor): 1 as alike as the recording is to itself, 0 no better than the null, below 0 worse. Means
-// over the columns with `used`; `slope` turns the standard error of D into that of the skill. NaN unless the mean null exceeds the mean
-// floor.
+// skill = 1 - (D - D_floor)/(D_null - D_floor): 1 as close as two halves of the recording are, 0 no closer than the null, below 0 worse.
+// Means over the columns with `used`; `slope` turns the standard error of D into that of the skill. NaN unless the mean null exceeds the
+// mean floor.
 struct SkillScale {
   double floor = NAN, null = NAN;  // means over the used columns
   double skill(double distance) const;

@@ -95,12 +95,27 @@ std::vector<Part> parts_of(const Tracks& tracks, const std::vector<Episode>& epi
   return parts;
 }
 
+std::vector<Episode> prepared_episodes(const Tracks& tracks) {
+  auto episodes = episodes_of(tracks);
+  const auto centroid = centroids(tracks), path = group_path(tracks);
+  for (Episode& e : episodes) prepare(e, tracks, centroid, path);
+  return episodes;
+}
+
+// Frames from the first of the episode.
+std::size_t place_in(const Episode& e, const Tracks& tracks, Index row) {
+  return static_cast<std::size_t>(tracks.frame()[static_cast<std::size_t>(row)] - e.first);
+}
+
+Eigen::Array3d group_step(const Episode& e, std::size_t k) {
+  if (e.path.size() < 2) return Eigen::Array3d::Zero();
+  k = std::min(k, e.path.size() - 2);
+  return e.path[k + 1] - e.path[k];
+}
+
 class Shifter {
  public:
-  Shifter(const Tracks& tracks, const Rng& rng) : tracks_(tracks), rng_(rng), episodes_(episodes_of(tracks)) {
-    const auto centroid = centroids(tracks), path = group_path(tracks);
-    for (Episode& e : episodes_) prepare(e, tracks, centroid, path);
-  }
+  Shifter(const Tracks& tracks, const Rng& rng) : tracks_(tracks), rng_(rng), episodes_(prepared_episodes(tracks)) {}
 
   Tracks take() {
     auto parts = parts_of(tracks_, episodes_);
@@ -128,10 +143,6 @@ class Shifter {
     out_.episodes.assign(tracks_.episodes().begin(), tracks_.episodes().end());
   }
 
-  std::size_t place_in(const Episode& e, Index row) const {
-    return static_cast<std::size_t>(tracks_.frame()[static_cast<std::size_t>(row)] - e.first);
-  }
-
   std::size_t chosen_shift(const Part& part, std::size_t number) const {
     const Episode& e = episodes_[part.episode];
     const auto length = static_cast<std::size_t>(e.length());
@@ -141,7 +152,7 @@ class Shifter {
       const double u = rng_.uniform(Stream::surrogate, number, k);
       const auto shift = std::min(static_cast<std::size_t>(u * static_cast<double>(length)), length - 1);
       double crowd = 0;
-      for (const Index row : part.rows) crowd += e.surplus[(place_in(e, row) + shift) % length];
+      for (const Index row : part.rows) crowd += e.surplus[(place_in(e, tracks_, row) + shift) % length];
       if (crowd < least) least = crowd, best = shift;
     }
     return best;
@@ -150,12 +161,12 @@ class Shifter {
   void place(const Part& part, std::size_t shift) {
     Episode& e = episodes_[part.episode];
     const auto length = static_cast<std::size_t>(e.length());
-    const bool seam = place_in(e, part.rows.front()) + shift < length && place_in(e, part.rows.back()) + shift >= length;
+    const bool seam = place_in(e, tracks_, part.rows.front()) + shift < length && place_in(e, tracks_, part.rows.back()) + shift >= length;
     const auto wrapped = static_cast<std::uint32_t>(out_.names.size());
     if (seam) out_.names.push_back(tracks_.names()[part.track] + " (wrapped)");
     for (const Index row : part.rows) {
       const auto r = static_cast<std::size_t>(row);
-      const std::size_t from = place_in(e, row), to = (from + shift) % length;
+      const std::size_t from = place_in(e, tracks_, row), to = (from + shift) % length;
       out_.track[r] = seam && from + shift >= length ? wrapped : part.track;
       out_.frame[r] = e.first + static_cast<std::int64_t>(to);
       out_.kind[r] = tracks_.kind(row);
@@ -165,31 +176,62 @@ class Shifter {
     }
   }
 
-  static Eigen::Array3d group_step(const Episode& e, std::size_t k) {
-    if (e.path.size() < 2) return Eigen::Array3d::Zero();
-    k = std::min(k, e.path.size() - 2);
-    return e.path[k + 1] - e.path[k];
-  }
-
   const Tracks& tracks_;
   Rng rng_;
   std::vector<Episode> episodes_;
   TrackColumns out_;
 };
 
-// Every row keeps its length and gets the direction of another (Fisher and Yates). Rows without a direction are left alone.
+// 0 .. n-1 in random order (Fisher and Yates).
+std::vector<std::size_t> permutation(std::size_t n, const Rng& rng, std::uint32_t id, std::uint32_t draw) {
+  std::vector<std::size_t> out(n);
+  std::iota(out.begin(), out.end(), std::size_t{0});
+  for (std::size_t k = n; k > 1; --k) {
+    const double u = rng.uniform(Stream::surrogate, k, id, draw);
+    std::swap(out[k - 1], out[std::min(static_cast<std::size_t>(u * static_cast<double>(k)), k - 1)]);
+  }
+  return out;
+}
+
+// Every row keeps its length and gets the direction of another. Rows without a direction are left alone.
 void shuffle_directions(Rows& vectors, const Rng& rng, std::uint32_t draw) {
   const Eigen::ArrayXd length = (vectors.col(0).square() + vectors.col(1).square() + vectors.col(2).square()).sqrt();
   std::vector<Index> who;
   for (Index k = 0; k < length.size(); ++k)
     if (length(k) > 0) who.push_back(k);
-  std::vector<Index> like = who;
-  for (std::size_t k = like.size(); k > 1; --k) {
-    const double u = rng.uniform(Stream::surrogate, k, 0, draw);
-    std::swap(like[k - 1], like[std::min(static_cast<std::size_t>(u * static_cast<double>(k)), k - 1)]);
-  }
+  const auto order = permutation(who.size(), rng, 0, draw);
   const Rows before = vectors;
-  for (std::size_t k = 0; k < who.size(); ++k) vectors.row(who[k]) = before.row(like[k]) * (length(who[k]) / length(like[k]));
+  for (std::size_t k = 0; k < who.size(); ++k) {
+    const Index like = who[order[k]];
+    vectors.row(who[k]) = before.row(like) * (length(who[k]) / length(like));
+  }
+}
+
+// The same individuals in the same frames; positions and velocities are still to be filled in, accelerations are dropped.
+TrackColumns same_rows(const Tracks& tracks) {
+  TrackColumns out;
+  out.names = tracks.names();
+  out.track.assign(tracks.track().begin(), tracks.track().end());
+  out.frame.assign(tracks.frame().begin(), tracks.frame().end());
+  out.episodes.assign(tracks.episodes().begin(), tracks.episodes().end());
+  for (Index row = 0; row < tracks.rows(); ++row) out.kind.push_back(tracks.kind(row));
+  out.pos = tracks.pos();
+  out.vel = tracks.vel();
+  return out;
+}
+
+Tracks finished(TrackColumns columns, const Tracks& from) {
+  TrackMeta meta = from.meta();
+  meta.from.synthetic = true;
+  return Tracks(std::move(columns), std::move(meta));
+}
+
+// How far out one of several is, in one column: total variation distance to all others, `all` being their sum with it.
+double out_by(const Histogram& one, const Histogram& all) {
+  Histogram others = all;
+  for (std::size_t i = 0; i < one.counts.size(); ++i) others.counts[i] -= one.counts[i];
+  others.samples -= one.samples;
+  return total_variation(one, others);
 }
 
 }  // namespace
@@ -197,42 +239,65 @@ void shuffle_directions(Rows& vectors, const Rng& rng, std::uint32_t draw) {
 Tracks timeshift(const Tracks& tracks, const Rng& rng) { return Shifter(tracks, rng).take(); }
 
 Tracks shuffled_walker(const Tracks& tracks, const Rng& rng) {
-  TrackColumns out;
-  out.names = tracks.names();
-  out.track.assign(tracks.track().begin(), tracks.track().end());
-  out.frame.assign(tracks.frame().begin(), tracks.frame().end());
-  out.episodes.assign(tracks.episodes().begin(), tracks.episodes().end());
-  for (Index row = 0; row < tracks.rows(); ++row) out.kind.push_back(tracks.kind(row));
+  TrackColumns out = same_rows(tracks);
   Rows steps = Rows::Zero(tracks.rows(), 3);
   const auto next = tracks.next();
   for (Index row = 0; row < tracks.rows(); ++row)
     if (const Index after = next[static_cast<std::size_t>(row)]; after >= 0)
       steps.row(row) = tracks.pos().row(after) - tracks.pos().row(row);
   shuffle_directions(steps, rng, 0);
-  out.pos = tracks.pos();
   // Rows are sorted by frame, so a row is in place before the one that follows it.
   for (Index row = 0; row < tracks.rows(); ++row)
     if (const Index after = next[static_cast<std::size_t>(row)]; after >= 0) out.pos.row(after) = out.pos.row(row) + steps.row(row);
-  out.vel = tracks.vel();
   if (out.vel.rows() > 0) shuffle_directions(out.vel, rng, 1);
-  TrackMeta meta = tracks.meta();
-  meta.from.synthetic = true;
-  return Tracks(std::move(out), std::move(meta));
+  return finished(std::move(out), tracks);
+}
+
+Tracks shuffled_places(const Tracks& tracks, const Rng& rng) {
+  TrackColumns out = same_rows(tracks);
+  const auto episodes = prepared_episodes(tracks);
+  const auto parts = parts_of(tracks, episodes);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const auto rows = parts[p].rows;
+    const Episode& e = episodes[parts[p].episode];
+    const auto order = permutation(rows.size(), rng, static_cast<std::uint32_t>(p), 2);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const Index from = rows[order[k]], to = rows[k];
+      const std::size_t before = place_in(e, tracks, from), after = place_in(e, tracks, to);
+      out.pos.row(to) = tracks.pos().row(from) + (e.path[after] - e.path[before]).transpose();
+      if (out.vel.rows() > 0)
+        out.vel.row(to) = tracks.vel().row(from) + (group_step(e, after) - group_step(e, before)).transpose() / tracks.dt();
+    }
+  }
+  return finished(std::move(out), tracks);
+}
+
+double surrogate_p(const PerColumn<Histogram>& observed, std::span<const PerColumn<Histogram>> surrogates, const PerColumn<bool>& used) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (surrogates.empty()) return kNone;
+  double own = 0, columns = 0;
+  std::vector<double> others(surrogates.size(), 0.0);
+  for (std::size_t j = 0; j < used.size(); ++j) {
+    if (!used[j]) continue;
+    if (observed[j].samples == 0) return kNone;
+    Histogram all = observed[j];
+    for (const auto& h : surrogates) all.add(h[j]);
+    own += out_by(observed[j], all);
+    for (std::size_t k = 0; k < others.size(); ++k) others[k] += out_by(surrogates[k][j], all);
+    ++columns;
+  }
+  if (columns == 0) return kNone;
+  const auto as_far = std::count_if(others.begin(), others.end(), [&](double d) { return !(d < own); });
+  return static_cast<double>(1 + as_far) / static_cast<double>(1 + surrogates.size());
 }
 
 double surrogate_p(const Histogram& observed, std::span<const Histogram> surrogates) {
-  if (observed.samples == 0 || surrogates.empty()) return std::numeric_limits<double>::quiet_NaN();
-  Histogram all = observed;
-  for (const Histogram& h : surrogates) all.add(h);
-  const auto out_by = [&](const Histogram& h) {
-    Histogram others = all;
-    for (std::size_t i = 0; i < h.counts.size(); ++i) others.counts[i] -= h.counts[i];
-    others.samples -= h.samples;
-    return total_variation(h, others);
-  };
-  const double own = out_by(observed);
-  const auto as_far = std::count_if(surrogates.begin(), surrogates.end(), [&](const Histogram& h) { return !(out_by(h) < own); });
-  return static_cast<double>(1 + as_far) / static_cast<double>(1 + surrogates.size());
+  PerColumn<bool> one(1, true);
+  PerColumn<Histogram> of(1);
+  of[0] = observed;
+  std::vector<PerColumn<Histogram>> all;
+  for (const Histogram& h : surrogates) all.emplace_back(1).at(0) = h;
+  return surrogate_p(of, all, one);
 }
 
 }  // namespace swarmfit

@@ -23,9 +23,17 @@ Tracks timeshift(const Tracks& tracks, const Rng& rng);
 // accelerations are dropped. Speeds are the recording's own. Pure function of the tracks and rng.seed.
 Tracks shuffled_walker(const Tracks& tracks, const Rng& rng);
 
+// No memory of steps: within an episode every individual is where it was recorded, at other times (a random permutation of its positions,
+// and of recorded velocities with them); recorded accelerations are dropped. Of a group that travels, the places are those within the
+// group. Pure function of the tracks and rng.seed.
+Tracks shuffled_places(const Tracks& tracks, const Rng& rng);
+
 // Is this one of them? p = (1 + number of surrogates at least as far out) / (1 + number of surrogates); how far out a histogram is: total
 // variation distance to all others, observed and surrogates pooled. Under the null hypothesis all are exchangeable, so p <= x has
 // probability at most x. NaN without surrogates or samples. Throws std::invalid_argument if bins differ.
 double surrogate_p(const Histogram& observed, std::span<const Histogram> surrogates);
+// The same of several columns together, how far out being the sum over the columns with `used`. NaN if one of those has no samples, or none
+// is used.
+double surrogate_p(const PerColumn<Histogram>& observed, std::span<const PerColumn<Histogram>> surrogates, const PerColumn<bool>& used);
 
 }  // namespace swarmfit

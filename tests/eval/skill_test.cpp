@@ -85,6 +85,23 @@ TEST(HalfDistance, OnlyWantedMetricsAndNothingOnShortRecordings) {
   EXPECT_THAT(brief.to(brief.blocks(tracks)), Each(IsNan()));
 }
 
+// The mean over columns has the mean of their floors, and scatters less than they do one by one but not as if they were independent.
+TEST(HalfDistance, FloorOverSeveralColumns) {
+  const HalfDistance half(trapped(1));
+  PerColumn<bool> one{}, some{};
+  one[kSpeed] = true;
+  some[kSpeed] = some[kAcceleration] = some[kDistance] = true;
+  EXPECT_NEAR(half.floor_over(one).mean, half.floor()[kSpeed], 1e-12);
+  EXPECT_NEAR(half.floor_over(one).sd(), half.floor_sd()[kSpeed], 1e-12);
+  const Moments all = half.floor_over(some);
+  EXPECT_EQ(all.count, 70u);
+  EXPECT_NEAR(all.mean, mean_used(half.floor(), some), 1e-12);
+  EXPECT_LE(all.sd(), mean_used(half.floor_sd(), some));
+  EXPECT_GT(all.sd(), 0);
+  EXPECT_EQ(half.floor_over(PerColumn<bool>(kMetrics)).count, 0u);
+  EXPECT_EQ(HalfDistance(tracks_of(test::trapped(1, 4, 31, {}))).floor_over(one).count, 0u);
+}
+
 TEST(Skill, OneAtTheFloorZeroAtTheNullAndLinearBetween) {
   const PerColumn<double> floor{.1, .2, .3, 9, 9, 9, 9}, null{.5, .2, .8, 9, 9, 9, 9};
   const PerColumn<bool> used{true, true, true};

@@ -162,6 +162,52 @@ TEST(ShuffledWalker, WhoRestsRests) {
   EXPECT_TRUE((shuffled_walker(still, {1}).pos() == still.pos()).all());
 }
 
+TEST(ShuffledPlaces, EverybodyIsWhereItWasAtOtherTimes) {
+  const Tracks tracks = visitors(10, 100), shuffled = shuffled_places(tracks, {1});
+  ASSERT_EQ(shuffled.rows(), tracks.rows());
+  EXPECT_TRUE(std::equal(shuffled.next().begin(), shuffled.next().end(), tracks.next().begin()));
+  Index elsewhere = 0;
+  for (std::uint32_t t = 0; t < tracks.track_count(); ++t) {
+    std::multiset<std::array<double, 3>> before, after;
+    for (const Index row : tracks.rows_of(t)) before.insert({tracks.pos()(row, 0), tracks.pos()(row, 1), tracks.pos()(row, 2)});
+    for (const Index row : shuffled.rows_of(t)) {
+      after.insert({shuffled.pos()(row, 0), shuffled.pos()(row, 1), shuffled.pos()(row, 2)});
+      elsewhere += shuffled.pos()(row, 2) != tracks.pos()(row, 2);
+    }
+    EXPECT_EQ(before, after) << t;
+  }
+  EXPECT_GT(elsewhere, tracks.rows() * 9 / 10);
+  EXPECT_TRUE((shuffled_places(tracks, {1}).pos() == shuffled.pos()).all());
+  EXPECT_FALSE((shuffled_places(tracks, {2}).pos() == shuffled.pos()).all());
+}
+
+TEST(ShuffledPlaces, TravellingGroupStaysTogetherAndEpisodesApart) {
+  const auto flight = test::rows_of(12, 200, 0.1, [](std::uint32_t i, double t) {
+    auto p = test::orbit(4, 5, 0.3, i, t);
+    p[0] += 30 * t;
+    return p;
+  });
+  const Tracks tracks = tracks_of(flight), shuffled = shuffled_places(tracks, {2});
+  const auto before = centroids(tracks), after = centroids(shuffled);
+  for (std::size_t f = 0; f < before.size(); ++f) EXPECT_LT((before[f] - after[f]).matrix().norm(), 6) << f;
+  std::vector<Row> takes;
+  for (std::int64_t k = 0; k < 80; ++k) takes.push_back({0, k, {k < 40 ? 0.0 : 1.0, static_cast<double>(k), 0}});
+  const Tracks apart = shuffled_places(tracks_of(takes, {.episodes = {40}}), {3});
+  for (Index k = 0; k < apart.rows(); ++k) EXPECT_EQ(apart.pos()(k, 0), k < 40 ? 0 : 1);
+}
+
+TEST(ShuffledPlaces, RecordedVelocitiesGoWithTheirPlaces) {
+  const Tracks tracks = tracks_of(test::trapped(1, 3, 50, {}), {.velocity = true}), shuffled = shuffled_places(tracks, {1});
+  for (std::uint32_t t = 0; t < tracks.track_count(); ++t)
+    for (const Index row : shuffled.rows_of(t)) {
+      const auto rows = tracks.rows_of(t);
+      const auto from =
+          std::find_if(rows.begin(), rows.end(), [&](Index other) { return tracks.pos()(other, 0) == shuffled.pos()(row, 0); });
+      ASSERT_NE(from, rows.end());
+      EXPECT_TRUE((shuffled.vel().row(row) == tracks.vel().row(*from)).all());
+    }
+}
+
 Histogram of(std::vector<std::uint64_t> counts) {
   Histogram h{std::move(counts), 0, 0};
   for (const auto n : h.counts) h.samples += n;
@@ -173,6 +219,20 @@ TEST(SurrogateP, RankAmongAll) {
   EXPECT_DOUBLE_EQ(surrogate_p(of({90, 10}), alike), 0.05);
   EXPECT_DOUBLE_EQ(surrogate_p(of({50, 50}), alike), 1);
   EXPECT_THAT(surrogate_p(of({1, 1}), {}), testing::IsNan());
+}
+
+PerColumn<Histogram> columns(std::initializer_list<Histogram> of) { return of; }
+
+// Out in one column and in between in the other: the sum decides.
+TEST(SurrogateP, OfSeveralColumnsTogether) {
+  const std::vector<PerColumn<Histogram>> alike(19, columns({of({50, 50}), of({50, 50}), of({0, 0})}));
+  const auto odd = columns({of({90, 10}), of({50, 50}), of({0, 0})});
+  EXPECT_DOUBLE_EQ(surrogate_p(odd, alike, {true, true, false}), 0.05);
+  EXPECT_DOUBLE_EQ(surrogate_p(odd, alike, {false, true, false}), 1);
+  EXPECT_DOUBLE_EQ(surrogate_p(odd, alike, {true, false, false}), surrogate_p(of({90, 10}), std::vector<Histogram>(19, of({50, 50}))));
+  EXPECT_THAT(surrogate_p(odd, alike, {true, true, true}), testing::IsNan()) << "no samples in the third";
+  EXPECT_THAT(surrogate_p(odd, alike, {false, false, false}), testing::IsNan());
+  EXPECT_THAT(surrogate_p(odd, {}, {true, true, false}), testing::IsNan());
 }
 
 // Independent particles have nothing to lose by a shift: p is uniform on {1/20, ..., 1}. Of 60 recordings 12 are expected at p <= 0.2; the
