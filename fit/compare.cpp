@@ -14,7 +14,9 @@
 #include "fit/fit_result.h"
 #include "fit/hold_out.h"
 #include "fit/judge.h"
+#include "fit/refute.h"
 #include "fit/sensitivity.h"
+#include "fit/skill_warnings.h"
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
 
@@ -192,8 +194,8 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.p2 = per_column(calibration.weighting().p2);
   fill_sensitivity(result);
   fill_facts(result, recording, conditions, target, options);
-  result.warnings = warnings_for(result);
-  for (auto& warning : warnings_of_skill(result)) result.warnings.push_back(std::move(warning));
+  for (const auto& warnings : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result)})
+    result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   return result;
 }
 

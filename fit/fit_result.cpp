@@ -50,6 +50,14 @@ void fill_ratios(FitResult& fit, const Target& target) {
   }
 }
 
+// Which parameters are of neighbours? Those that go with an option of that name, and lengths in neighbour distances.
+void mark_interaction(FitResult& fit, const ModelSpec& spec) {
+  for (ParameterResult& p : fit.parameters) {
+    const Parameter& row = spec.parameters[static_cast<std::size_t>(spec.find(p.name))];
+    p.interaction = row.when.find("interaction=") != std::string_view::npos || row.length == Parameter::Length::spacing;
+  }
+}
+
 }  // namespace
 
 FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const Conditions& conditions, const Target& target,
@@ -61,6 +69,7 @@ FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const 
   fit.options = {model.options.begin(), model.options.end()};
   const auto& best = search.selected();
   fit.parameters = search.space().describe(best.x, conditions.recording.meta().unit);
+  mark_interaction(fit, *model.spec);
   fill_energies(fit, search, weighting);
   fill_ratios(fit, target);
   const auto values = search.space().parameters(best.x);

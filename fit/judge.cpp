@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "fit/judge.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "fit/refute.h"
 #include "libeval/distance.h"
 #include "libeval/leave_one_out.h"
 #include "libeval/surrogate.h"
@@ -14,9 +12,8 @@
 namespace swarmfit {
 namespace {
 
-constexpr std::size_t kTimeshifts = 99;  // so that p can reach 0.01
-constexpr std::size_t kWalkers = 10;
-constexpr double kSignificant = 0.05;
+constexpr std::size_t kSurrogates = 99;  // of each kind that is tested: so that p can reach 0.01
+constexpr std::size_t kPlaced = 10;
 constexpr double kStandardErrors = 2;
 
 Estimate estimate(const std::vector<double>& values) {
@@ -32,6 +29,12 @@ std::vector<Estimate> estimates(const std::vector<double>& value, const std::vec
   return out;
 }
 
+double column_mean(const std::vector<PerColumn<double>>& values, std::size_t j) {
+  Moments m;
+  for (const auto& v : values) m.add(v[j]);
+  return m.count > 0 ? m.mean : NAN;
+}
+
 // Mean and standard error of each number over replicates.
 std::vector<Estimate> over_replicates(const std::vector<Panel>& panels, std::vector<double> Panel::*part) {
   std::vector<Estimate> out;
@@ -43,6 +46,19 @@ std::vector<Estimate> over_replicates(const std::vector<Panel>& panels, std::vec
   return out;
 }
 
+// Has no model with a skill more of it than the random walk?
+bool suffices(const Estimate& walker, const std::vector<FitResult>& models) {
+  if (!std::isfinite(walker.value)) return false;
+  bool any = false;
+  for (const FitResult& m : models) {
+    if (!std::isfinite(m.skill.value)) continue;
+    any = true;
+    const double se = std::isfinite(m.skill.se) ? m.skill.se : 0;
+    if (m.skill.value - walker.value > kStandardErrors * std::hypot(se, walker.se)) return false;
+  }
+  return any;
+}
+
 // One replicate as the judge sees it.
 struct Run {
   PerColumn<double> distance, wasserstein;
@@ -51,58 +67,103 @@ struct Run {
 
 }  // namespace
 
+// Surrogates as the judge sees them.
+struct Judge::Nulls {
+  std::vector<PerColumn<double>> shifted, walked, placed;  // distances; NaN where they say nothing
+  std::vector<PerColumn<Histogram>> of_shifted, of_walked;
+};
+
 Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed)
-    : conditions_(conditions), used_(used), distance_(conditions.recording, conditions.metrics), plan_(panel_plan(conditions.recording)) {
-  measure_nulls({seed});
+    : conditions_(conditions),
+      distance_(conditions.recording, conditions.metrics),
+      plan_(panel_plan(conditions.recording)),
+      panel_(panel_with_error(conditions.recording, plan_)) {
   facts_.floor = distance_.floor();
   facts_.floor_sd = distance_.floor_sd();
-  const std::size_t columns = facts_.floor.size();
-  facts_.informative = PerColumn<bool>(columns);
-  for (std::size_t j = 0; j < columns; ++j) facts_.informative[j] = facts_.null[j] > facts_.floor[j] + kStandardErrors * facts_.floor_sd[j];
-  const auto any_informative = [&](const PerColumn<bool>& metrics) {
-    for (std::size_t j = 0; j < columns; ++j)
-      if (metrics[j] && facts_.informative[j]) return true;
-    return false;
-  };
-  const auto measured = [&](std::size_t j) { return std::isfinite(facts_.floor[j]) && std::isfinite(facts_.null[j]); };
-  facts_.used = used_;
-  // An eighth of the recording can be too short for a lag that the whole carries.
-  for (std::size_t j = 0; j < columns; ++j) facts_.used[j] = used_[j] && (distance_.columns()[j].lag == 1 || measured(j));
-  if (!any_informative(used_))
-    for (std::size_t j = 0; j < columns; ++j) facts_.used[j] = measured(j);
-  if (any_informative(facts_.used)) scale_ = skill_scale(facts_.floor, facts_.null, facts_.used);
-  facts_.mean_floor = scale_.floor;
-  facts_.mean_null = scale_.null;
+  const Nulls nulls = measured_nulls({seed});
+  const auto& columns = distance_.columns();
+  facts_.null = facts_.places = PerColumn<double>(columns.size());
+  facts_.informative = PerColumn<bool>(columns.size());
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    facts_.null[j] = column_mean(columns[j].motion() ? nulls.walked : nulls.shifted, j);
+    facts_.places[j] = column_mean(nulls.placed, j);
+    facts_.informative[j] = facts_.null[j] > facts_.floor[j] + kStandardErrors * facts_.floor_sd[j];
+  }
+  choose_scale(used);
+
+  const auto observed = HalfDistance::pooled(distance_.recording());
+  facts_.surrogates = static_cast<int>(kSurrogates);
+  PerColumn<bool> motion = facts_.used;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    motion[j] = motion[j] && columns[j].motion();
+    if (columns[j].motion()) continue;
+    PerColumn<bool> only(columns.size());
+    only[j] = true;
+    facts_.interaction_p[j - kDistance] = surrogate_p(observed, nulls.of_shifted, only);
+  }
+  facts_.memory_p = surrogate_p(observed, nulls.of_walked, motion);
+  // A walk has no d and eta of its own: it takes those of the tracks shifted in time.
+  std::vector<double> walkers;
+  for (PerColumn<double> walk : nulls.walked) {
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      if (!columns[j].motion()) walk[j] = facts_.null[j];
+    walkers.push_back(mean_used(walk, facts_.used));
+  }
+  const Estimate walker = estimate(walkers);
+  if (std::find(motion.begin(), motion.end(), true) != motion.end())
+    facts_.walker = {scale_.skill(walker.value), scale_.slope() * walker.se};
 }
 
-void Judge::measure_nulls(const Rng& rng) {
+Judge::Nulls Judge::measured_nulls(const Rng& rng) {
   const Tracks& recording = conditions_.recording;
   const auto& columns = distance_.columns();
-  std::vector<PerColumn<double>> distances(kTimeshifts + kWalkers);
-  std::vector<PerColumn<Histogram>> shifted(kTimeshifts);
+  Nulls out;
+  out.shifted.resize(kSurrogates), out.of_shifted.resize(kSurrogates);
+  out.walked.resize(kSurrogates), out.of_walked.resize(kSurrogates);
+  out.placed.resize(kPlaced);
+  PerColumn<bool> motion(columns.size()), rest(columns.size());
+  for (std::size_t j = 0; j < columns.size(); ++j) motion[j] = columns[j].motion(), rest[j] = !motion[j];
 #pragma omp parallel for schedule(dynamic, 1)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(distances.size()); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Rng own = rng.derive(Stream::surrogate, k);
-    const bool shift = k < kTimeshifts;
-    const auto blocks = distance_.blocks(shift ? timeshift(recording, own) : shuffled_walker(recording, own));
-    PerColumn<bool> wanted(columns.size());
-    for (std::size_t j = 0; j < columns.size(); ++j) wanted[j] = columns[j].motion() != shift;
-    distances[k] = distance_.to(blocks, wanted);
-    if (shift) shifted[k] = HalfDistance::pooled(blocks);
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(2 * kSurrogates + kPlaced); ++i) {
+    const auto all = static_cast<std::size_t>(i), kind = all / kSurrogates, k = all % kSurrogates;
+    const Rng own = rng.derive(Stream::surrogate, all);
+    const auto blocks = distance_.blocks(kind == 0   ? timeshift(recording, own)
+                                         : kind == 1 ? shuffled_walker(recording, own)
+                                                     : shuffled_places(recording, own));
+    if (kind == 2) {
+      out.placed[k] = distance_.to(blocks);
+      continue;
+    }
+    (kind == 0 ? out.shifted : out.walked)[k] = distance_.to(blocks, kind == 0 ? rest : motion);
+    (kind == 0 ? out.of_shifted : out.of_walked)[k] = HalfDistance::pooled(blocks);
   }
-  const auto observed = HalfDistance::pooled(distance_.recording());
-  facts_.surrogates = static_cast<int>(kTimeshifts);
-  facts_.null = PerColumn<double>(columns.size());
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    std::vector<double> column;
-    for (const auto& d : distances) column.push_back(d[j]);
-    facts_.null[j] = estimate(column).value;
-    if (columns[j].motion()) continue;
-    std::vector<Histogram> surrogates;
-    for (const auto& h : shifted) surrogates.push_back(h[j]);
-    facts_.interaction_p[j - kDistance] = surrogate_p(observed[j], surrogates);
+  return out;
+}
+
+// Takes this scale if the null is farther than halves of the recording are.
+bool Judge::fits(const PerColumn<bool>& used, SkillNull null) {
+  const Moments floor = distance_.floor_over(used);
+  const SkillScale scale = skill_scale(facts_.floor, null == SkillNull::steps ? facts_.null : facts_.places, used);
+  if (!(scale.null > scale.floor + kStandardErrors * floor.sd())) return false;
+  scale_ = scale;
+  facts_.null_of = null;
+  facts_.used = used;
+  facts_.mean_floor_sd = floor.sd();
+  return true;
+}
+
+void Judge::choose_scale(const PerColumn<bool>& wanted) {
+  const auto measured = [&](std::size_t j) { return std::isfinite(facts_.floor[j]) && std::isfinite(facts_.null[j]); };
+  PerColumn<bool> scored = wanted, all(wanted.size());
+  // An eighth of the recording can be too short for a lag that the whole carries.
+  for (std::size_t j = 0; j < wanted.size(); ++j) {
+    scored[j] = wanted[j] && (distance_.columns()[j].lag == 1 || measured(j));
+    all[j] = measured(j);
   }
+  if (!fits(scored, SkillNull::steps) && !fits(all, SkillNull::steps) && !fits(scored, SkillNull::places) && !fits(all, SkillNull::places))
+    facts_.used = scored;
+  facts_.mean_floor = scale_.floor;
+  facts_.mean_null = scale_.null;
 }
 
 void Judge::judge(FitResult& fit, const Objective& objective, const std::vector<double>& parameters, std::span<const Rng> seeds) const {
@@ -141,11 +202,13 @@ void Judge::judge(FitResult& fit, const Objective& objective, const std::vector<
   fit.vacf = over_replicates(panels, &Panel::vacf);
   fit.panel.resize(plan_.items().size());
   fit.vacf.resize(plan_.vacf_lags.size());
+  fit.refuted_by = refutations(plan_, panel_, panels);
 }
 
 void Judge::tell(Comparison& result) const {
   result.skill = facts_;
-  const auto [value, se] = panel_with_error(conditions_.recording, plan_);
+  result.skill.walk_suffices = suffices(facts_.walker, result.models);
+  const auto& [value, se] = panel_;
   result.panel = {plan_.items(), estimates(value.values, se.values), {}, estimates(value.vacf, se.vacf)};
   for (const Index lag : plan_.vacf_lags) result.panel.lags.push_back(static_cast<double>(lag) * plan_.dt);
 
@@ -165,77 +228,6 @@ void Judge::tell(Comparison& result) const {
     out.winner_changed = w.dropped != 0 && w.order.front() != 0;
     result.without.push_back(std::move(out));
   }
-}
-
-namespace {
-
-// Models by skill, those without one last.
-std::vector<const FitResult*> by_skill(const Comparison& r) {
-  std::vector<const FitResult*> order;
-  for (const auto& m : r.models) order.push_back(&m);
-  const auto value = [](const FitResult* m) { return std::isfinite(m->skill.value) ? m->skill.value : -INFINITY; };
-  std::stable_sort(order.begin(), order.end(), [&](const FitResult* a, const FitResult* b) { return value(a) > value(b); });
-  return order;
-}
-
-// Pairs whose order by skill is the reverse of their order by score, beyond the scatter of the simulations.
-std::vector<std::string> reversed_pairs(const Comparison& r) {
-  std::vector<std::string> out;
-  for (std::size_t a = 0; a < r.models.size(); ++a)
-    for (std::size_t b = a + 1; b < r.models.size(); ++b) {
-      const Estimate &above = r.models[a].skill, &below = r.models[b].skill;
-      if (below.value - above.value > kStandardErrors * std::hypot(above.se, below.se))
-        out.push_back(fmt::format("{} before {}", r.models[b].model, r.models[a].model));
-    }
-  return out;
-}
-
-void warn_of_order(const Comparison& r, std::vector<std::string>& out) {
-  const auto pairs = reversed_pairs(r);
-  if (pairs.empty()) return;
-  std::vector<std::string> order;
-  for (const FitResult* m : by_skill(r)) order.push_back(fmt::format("{} ({:.2f})", m->model, m->skill.value));
-  out.push_back(fmt::format(
-      "Score and skill disagree: by skill the order is {}, which puts {}. A score depends on which models are compared, a skill does not.",
-      fmt::join(order, ", "), fmt::join(pairs, " and ")));
-}
-
-// Does the skill rest on other columns than the score?
-void warn_of_basis(const Comparison& r, std::vector<std::string>& out) {
-  bool more = false;
-  std::vector<std::string> missing;
-  for (std::size_t j = 0; j < r.skill.used.size(); ++j) {
-    const bool expected = r.observation.used[j] && !r.observation.drowned[j];
-    more = more || (r.skill.used[j] && !expected);
-    if (!r.skill.used[j] && expected) missing.push_back(r.columns[j].key());
-  }
-  if (more)
-    out.emplace_back("No metric that counts in full tells the recording from its surrogates, so the skill rests on all that are defined.");
-  else if (!missing.empty())
-    out.push_back(
-        fmt::format("The skill leaves out {}: an eighth of the recording is too short for so long a lag.", fmt::join(missing, ", ")));
-}
-
-}  // namespace
-
-std::vector<std::string> warnings_of_skill(const Comparison& r) {
-  std::vector<std::string> out;
-  const auto [d, eta] = r.skill.interaction_p;
-  if (d > kSignificant && eta > kSignificant)
-    out.push_back(
-        fmt::format("No detectable interaction: distances and speed differences of neighbours are like those of the same tracks shifted in "
-                    "time against each other (p = {:.2f} and {:.2f} among {} surrogates), so the ranking says how single animals move.",
-                    d, eta, r.skill.surrogates));
-  if (!r.models.empty() && std::isnan(r.models.front().skill.value))
-    out.emplace_back(
-        "Skill is undefined: the recording is too short to be halved, or no nearer to itself than to its surrogates in any metric.");
-  if (!r.models.empty() && std::isfinite(r.models.front().skill.value)) warn_of_basis(r, out);
-  warn_of_order(r, out);
-  std::vector<std::string> deciders;
-  for (const LeftOut& w : r.without)
-    if (w.winner_changed) deciders.push_back(fmt::format("without {} it is {}", w.model, w.ranking.front().first));
-  if (!deciders.empty()) out.push_back(fmt::format("Who wins by score depends on who is compared: {}.", fmt::join(deciders, ", ")));
-  return out;
 }
 
 }  // namespace swarmfit

@@ -93,6 +93,7 @@ struct ParameterResult {
   bool at_bound = false;   // within 1 % of the searched interval from a bound
   std::string at_lower{};  // of the lower one, what that means, if anything
   ParameterUncertainty posterior{};
+  bool interaction = false;  // of neighbours: used only with the model's interaction, or a length in neighbour distances
 };
 
 // Behind the uncertainty of a model's parameters.
@@ -121,19 +122,39 @@ struct Estimate {
   double value = NAN, se = NAN;
 };
 
+// What a skill of 0 is no better than (libeval/surrogate.h).
+enum class SkillNull {
+  none,    // neither of these can be told from halves of the recording: skill is undefined
+  steps,   // a random walk of the recording's own steps, and for d and eta its tracks shifted in time
+  places,  // its own places in random order: where the walk is as close to the recording as its halves are to each other
+};
+
 // The scale of skill, which the recording sets alone (libeval/skill.h).
 struct SkillFacts {
   PerColumn<double> floor{}, floor_sd{};  // total variation distance between halves of the recording; NaN undefined
   PerColumn<double> null{};               // of the surrogates without interaction (d, eta) or without memory of direction (the others)
+  PerColumn<double> places{};             // of the surrogates that have the recording's places in random order
   PerColumn<bool> informative{};          // the null is farther than the floor by more than two of its standard deviations
   // Behind the skill: the columns of the score, or all that are defined if none of those is informative.
   PerColumn<bool> used{};
-  double mean_floor = NAN, mean_null = NAN;  // over the used columns
+  SkillNull null_of = SkillNull::none;       // which null the scale has
+  double mean_floor = NAN, mean_null = NAN;  // over the used columns; the null is the one of the scale
+  double mean_floor_sd = NAN;                // of mean_floor, over the choices of halves
+  Estimate walker;                           // skill of the random walk; 0 where it is the null, NaN where no column of motion is used
+  bool walk_suffices = false;                // no model has more, by two standard errors of both
+  double memory_p = NAN;                     // over the used columns of motion: is the recording like a random walk of its own steps?
   double interaction_p[2] = {NAN, NAN};      // of d and eta: is the recording like its own tracks shifted in time?
-  int surrogates = 0;                        // behind interaction_p
+  int surrogates = 0;                        // behind memory_p and interaction_p, each
 };
 
-// What was measured and not fitted (libeval/panel.h), and what the recording says.
+// A fact that anybody sees and that a fitted model gets wrong (fit/refute.h).
+struct Refutation {
+  PanelItem item;
+  Estimate recording;            // NaN: it has no such number
+  double model = NAN, sd = NAN;  // over its single final replicates; NaN: none has
+};
+
+// What was measured beside the metrics (libeval/panel.h), and what the recording says.
 struct PanelFacts {
   std::vector<PanelItem> items;
   std::vector<Estimate> recording;       // per item; standard error over blocks of time
@@ -206,9 +227,10 @@ struct FitResult {
   bool steps_settled = true;        // half the step changes no energy by more than chance (fit/time_step.h)
   double infeasible_avoidance = 0;  // share of final agent-steps without a collision-free velocity
   std::vector<ConvergencePoint> convergence;
-  Estimate skill;                       // 1: as alike as the recording is to itself, 0: as its surrogates; over final replicates
+  Estimate skill;                       // 1: as close as halves of the recording, 0: no closer than the null; over final replicates
   PerColumn<double> total_variation{};  // mean over single final replicates, of halves against halves: the D of the skill
   PerColumn<double> wasserstein{};      // mean over single final replicates [sd of the recording]
+  std::vector<Refutation> refuted_by;   // facts that anybody sees, in the order of PanelFacts
   std::vector<Estimate> panel;          // per item of PanelFacts
   std::vector<Estimate> vacf;           // per lag of PanelFacts
   PosteriorFacts posterior{};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "fit/skill_warnings.h"
 #include "tests/eval/build.h"
 #include "tests/fit/planted.h"
 
@@ -14,12 +15,18 @@ namespace {
 
 using testing::Contains;
 using testing::Each;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsNan;
 using testing::Not;
 
 const PerColumn<bool> kAllUsed = {true, true, true, true, true, true, true};
+
+FitResult named(const std::string& name, double skill, double se) {
+  FitResult r;
+  r.model = name;
+  r.skill = {skill, se};
+  return r;
+}
 
 // A judge of a recording that bswarm planted, and the model that planted it.
 struct Planted {
@@ -125,6 +132,15 @@ TEST(Judge, SameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(results[0].models[0].panel.back().value, results[1].models[0].panel.back().value);
 }
 
+// Eight that go round evenly spaced, each with small orbits of its own.
+Tracks lattice() {
+  return test::tracks_of(test::rows_of(8, 200, 0.1, [](std::uint32_t i, double t) {
+    const auto p = test::orbit(2, 5, 1, i, t);
+    const double phase = 6.283185307179586 * (i / 8.0 + 0.1 * t);
+    return std::array{50 * std::cos(phase) + p[0], 50 * std::sin(phase) + p[1], p[2]};
+  }));
+}
+
 // Fixed seeds: independent particles, and the same ones held apart on a lattice that breathes.
 TEST(Judge, SeesInteractionWhereThereIsSome) {
   const auto p_of = [](const Tracks& tracks) {
@@ -139,41 +155,104 @@ TEST(Judge, SeesInteractionWhereThereIsSome) {
       p_of(test::tracks_of(test::rows_of(8, 200, 0.1, [](std::uint32_t i, double t) { return test::orbit(2, 50, 1, i, t); })));
   EXPECT_GT(alone.first, 0.05);
   EXPECT_THAT(alone.second, Contains(HasSubstr("No detectable interaction")));
-  const auto together = p_of(test::tracks_of(test::rows_of(8, 200, 0.1, [](std::uint32_t i, double t) {
-    const auto p = test::orbit(2, 5, 1, i, t);
-    const double phase = 6.283185307179586 * (i / 8.0 + 0.1 * t);
-    return std::array{50 * std::cos(phase) + p[0], 50 * std::sin(phase) + p[1], p[2]};
-  })));
+  const auto together = p_of(lattice());
   EXPECT_DOUBLE_EQ(together.first, 0.01);
   EXPECT_THAT(together.second, Not(Contains(HasSubstr("No detectable interaction"))));
 }
 
-FitResult named(const std::string& name, double skill, double se) {
-  FitResult r;
-  r.model = name;
-  r.skill = {skill, se};
-  return r;
+// Steps of independent normal numbers: nothing to be known but the steps.
+Tracks random_walks(std::uint64_t seed, std::uint32_t walkers = 10, std::int64_t frames = 200) {
+  std::vector<test::Row> rows;
+  std::vector<std::array<double, 3>> at(walkers);
+  for (std::uint32_t i = 0; i < walkers; ++i)
+    for (std::uint32_t a = 0; a < 3; ++a) at[i][a] = 100 * test::normal(seed, 0, i, a);
+  for (std::int64_t k = 0; k < frames; ++k)
+    for (std::uint32_t i = 0; i < walkers; ++i) {
+      rows.push_back({i, k, at[i]});
+      for (std::uint32_t a = 0; a < 3; ++a) at[i][a] += 4 * test::normal(seed, static_cast<std::uint64_t>(k) + 1, i, a);
+    }
+  return test::tracks_of(rows);
 }
 
-TEST(SkillWarnings, SayWhereScoreAndSkillDisagree) {
+// Its own random walks are as close to it as its halves are, and no model comes closer; the scale is that of its places.
+TEST(Judge, ARandomWalkIsAnAnswer) {
+  const Tracks recording = random_walks(1);
+  const Conditions conditions = make_conditions(recording, {});
+  const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
+  const ModelChoice model = parse_model("langevin");
+  const Objective objective(model, conditions, target);
+  const Judge judge(conditions, kAllUsed, 1);
   Comparison c;
-  c.models = {named("a", 0.5, 0.01), named("b", 0.7, 0.01), named("c", 0.2, 0.01)};
-  EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("by skill the order is b (0.70), a (0.50), c (0.20), which puts b before a.")));
-  c.models[1].skill.se = 0.2;  // chance could do that
-  EXPECT_TRUE(warnings_of_skill(c).empty());
+  c.models.emplace_back();
+  judge.judge(c.models[0], objective, scene_parameters(model, {{"sigma_eta", 100}}), replicate_seeds({1}, Stream::final_seeds, 4));
+  judge.tell(c);
+  EXPECT_EQ(c.skill.null_of, SkillNull::places);
+  EXPECT_NEAR(c.skill.walker.value, 1, 0.05);
+  EXPECT_GT(c.skill.memory_p, 0.05);
+  EXPECT_TRUE(c.skill.walk_suffices);
+  EXPECT_LT(c.models[0].skill.value, c.skill.walker.value - 0.1);
+  EXPECT_GT(c.models[0].skill.value, -1);
+  const auto mean = [](const PerColumn<double>& x) { return mean_used(x, kAllUsed); };
+  EXPECT_NEAR(c.skill.mean_null, mean(c.skill.places), 1e-12);
+  EXPECT_NEAR(c.skill.walker.value, 1 - (mean(c.skill.null) - mean(c.skill.floor)) / (mean(c.skill.places) - mean(c.skill.floor)), 1e-9);
 }
 
-TEST(SkillWarnings, SayWhoDecidesTheWinner) {
-  Comparison c;
-  c.models = {named("a", 0.5, 0), named("b", 0.4, 0), named("c", 0.3, 0)};
-  c.without = {{"a", {}, {{"b", 1}}, false, false}, {"c", {}, {{"b", 1}, {"a", 0.9}}, true, true}};
-  EXPECT_THAT(warnings_of_skill(c), ElementsAre("Who wins by score depends on who is compared: without c it is b."));
+// p of the random walk is uniform on random walks: of 20, one is expected at p <= 0.05, and the probability of more than five is 0.0003.
+TEST(Judge, MemoryIsFoundWhereThereIsSome) {
+  const auto facts_of = [](const Tracks& recording) {
+    Comparison c;
+    const Conditions conditions = make_conditions(recording, {});
+    Judge(conditions, kAllUsed, 1).tell(c);
+    return c.skill;
+  };
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) found += facts_of(random_walks(seed, 6, 80)).memory_p <= 0.05;
+  EXPECT_LE(found, 5);
+  const SkillFacts smooth = facts_of(test::planted_swarm(3));
+  EXPECT_DOUBLE_EQ(smooth.memory_p, 0.01);
+  EXPECT_EQ(smooth.null_of, SkillNull::steps);
+  EXPECT_NEAR(smooth.walker.value, 0, 1e-9);
+  EXPECT_GT(smooth.walker.se, 0);
 }
 
-TEST(SkillWarnings, UndefinedSkillIsExplained) {
+// Neighbours alone say nothing of a walk: on a lattice they tell the recording from its surrogates.
+TEST(Judge, TheWalkHasASkillWhereMotionCounts) {
+  const Conditions conditions = make_conditions(lattice(), {});
+  PerColumn<bool> distance{};
+  distance[kDistance] = true;
   Comparison c;
-  c.models = {named("a", NAN, NAN)};
-  EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("Skill is undefined")));
+  c.models = {named("a", -1, 0.01)};
+  Judge(conditions, distance, 1).tell(c);
+  ASSERT_EQ(c.skill.used, distance);
+  EXPECT_THAT(c.skill.walker.value, IsNan());
+  EXPECT_THAT(c.skill.memory_p, IsNan());
+  EXPECT_FALSE(c.skill.walk_suffices);
+}
+
+// On the scale of the walk: as close as that within two standard errors, or closer?
+TEST(Judge, SaysWhetherAnyModelIsCloserThanTheWalk) {
+  const Planted planted;
+  const Judge judge(planted.conditions, kAllUsed, 1);
+  const auto suffices = [&](const std::vector<Estimate>& skills) {
+    Comparison c;
+    for (const Estimate& e : skills) c.models.push_back(named("a", e.value, e.se));
+    judge.tell(c);
+    return c.skill.walk_suffices;
+  };
+  EXPECT_TRUE(suffices({{-0.3, 0.01}, {0.15, 0.1}}));
+  EXPECT_FALSE(suffices({{-0.3, 0.01}, {0.15, 0.05}}));
+  EXPECT_FALSE(suffices({{NAN, NAN}})) << "nobody was judged";
+  EXPECT_TRUE(suffices({{NAN, NAN}, {0, 0}}));
+}
+
+TEST(Judge, TellsWhatRefutesAModel) {
+  const Planted planted;
+  const Judge judge(planted.conditions, kAllUsed, 1);
+  EXPECT_THAT(planted.judged(judge, planted.truth).refuted_by, testing::IsEmpty());
+  FitResult fit;
+  judge.judge(fit, planted.objective, planted.with_gamma(10), replicate_seeds({1}, Stream::final_seeds, 12));
+  ASSERT_THAT(fit.refuted_by, testing::Not(testing::IsEmpty()));
+  EXPECT_TRUE(std::any_of(fit.refuted_by.begin(), fit.refuted_by.end(), [](const Refutation& f) { return f.item.key == "speed"; }));
 }
 
 // The energies of leave_one_out_test: without d, a overtakes b.
