@@ -37,6 +37,7 @@ PageValues page_values(const Comparison& c) {
           {"ranking", sections::ranking(c).text},
           {"final_replicates", std::to_string(c.budget.final_replicates)},
           {"energy", html_escaped(what_energy_means(c))},
+          {"what_skill_means", html_escaped(what_skill_means(c))},
           {"motion", sections::motion(c).text},
           {"legend", sections::legend(c).text},
           {"pdf_figures", sections::pdf_figures(c).text},

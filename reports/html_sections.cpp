@@ -129,13 +129,22 @@ Html ranking(const Comparison& c) {
     cells.push_back(number_cell(counted(r.evaluations)));
     table.row(cells, r.rank == 1 ? "first" : "");
   }
+  const std::size_t before = c.hold_out.used ? 8 : 6;  // columns that are not of a metric
+  if (std::isfinite(c.skill.walker.value)) {
+    Cells walk = {text_cell(""), name_cell(escaped(kWalk))};
+    while (walk.size() < before + c.columns.size() + 1) walk.push_back(text_cell(""));
+    walk[5] = number_cell(plus_minus(c.skill.walker.value, c.skill.walker.se, 2));
+    table.foot(walk);
+  }
   Cells foot = {text_cell(""), name_cell(markup("weight in the score"))};
-  while (foot.size() < (c.hold_out.used ? 8U : 6U)) foot.push_back(text_cell(""));
+  while (foot.size() < before) foot.push_back(text_cell(""));
   metric_columns(c, foot, [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 3) : kUndefined; });
   foot.push_back(text_cell(""));
   Html out = table.foot(foot).html();
   for (const std::string& note : {what_ranks_mean(c), c.hold_out.used ? what_held_out_means(c) : std::string(), what_drowned_means(c)})
     if (!note.empty()) out += element("p", "note", escaped(note));
+  if (const std::string fixed = kept_fixed(c); !fixed.empty())
+    out += element("p", "note", Html{"<b>Kept fixed</b>, not searched: " + escaped(unit_in_print(fixed)).text + "."});
   return out;
 }
 

@@ -36,6 +36,21 @@ std::string interaction_text(const SkillFacts& s) {
       s.surrogates, fixed(s.interaction_p[0], 2), fixed(s.interaction_p[1], 2));
 }
 
+std::string memory_text(const SkillFacts& s) {
+  if (!std::isfinite(s.memory_p)) return {};
+  return fmt::format(
+      "Is there memory of direction to be seen? Against {} random walks of its own steps, all motion in the score together has p = {}.",
+      s.surrogates, fixed(s.memory_p, 2));
+}
+
+constexpr const char* kHowSkillIsMade =
+    "Skill = 1 − (D − floor)/(null − floor), D being the mean distance over the metrics of the score (over all if none of those tells "
+    "surrogates apart). The floor compares halves of the recording, the models and surrogates as many samples. The null is, for d and η, "
+    "the recording's own tracks shifted in time against each other (no interaction), for the others a random walk that makes the recorded "
+    "steps in shuffled directions. The walk keeps the recorded speeds, so v never tells them apart; a model that gets v wrong pays all the "
+    "same. Where the walk is as close to the recording as its halves are to each other, the null is its own places in random order, which "
+    "knows no steps.";
+
 }  // namespace
 
 Html skill(const Comparison& c) {
@@ -45,22 +60,18 @@ Html skill(const Comparison& c) {
   table.head(head);
   const SkillFacts& s = c.skill;
   metric_row(table, c, markup("recording against itself (floor)"), [&](std::size_t m) { return fixed(s.floor[m], 3); });
-  metric_row(table, c, markup("surrogates (null)"), [&](std::size_t m) { return fixed(s.null[m], 3); });
+  const bool places = s.null_of == SkillNull::places;
+  metric_row(table, c, escaped(fmt::format("{}{}", kWalk, places ? "" : " (null)")), [&](std::size_t m) { return fixed(s.null[m], 3); });
+  if (places) metric_row(table, c, markup("its places in random order (null)"), [&](std::size_t m) { return fixed(s.places[m], 3); });
   metric_row(table, c, markup("tells them apart"), [&](std::size_t m) { return std::string(s.informative[m] ? "yes" : "no"); });
   for (std::size_t k = 0; k < c.models.size(); ++k) {
     Html name = key_drawing(k);
     name += escaped(c.models[k].model);
     metric_row(table, c, name, [&](std::size_t m) { return fixed(c.models[k].total_variation[m], 3); });
   }
-  Html out = element(
-      "p", "",
-      markup(
-          "Skill = 1 − (D − floor)/(null − floor), D being the mean distance over the metrics of the score (over all if none of those "
-          "tells surrogates apart). The floor compares halves of "
-          "the recording, the models and surrogates as many samples. The null is, for d and η, the recording's own tracks shifted in time "
-          "against each other (no interaction), for the others a walker that makes the recorded steps in shuffled directions. The walker "
-          "keeps the recorded speeds, so v never tells them apart; a model that gets v wrong pays all the same."));
+  Html out = element("p", "", escaped(kHowSkillIsMade));
   out += table.html();
+  out += element("p", "", escaped(memory_text(s)));
   out += element("p", "", escaped(interaction_text(s)));
   return out;
 }
@@ -81,7 +92,7 @@ Html without(const Comparison& c) {
 }
 
 Html panel(const Comparison& c) {
-  HtmlTable table("Observables that no search saw");
+  HtmlTable table("Beside the metrics");
   Cells head = {column("observable"), column("unit"), column("recording", true)};
   for (const FitResult& r : c.models) head.push_back(column(r.model, true));
   table.head(head);
@@ -96,10 +107,11 @@ Html panel(const Comparison& c) {
     table.row(cells);
   }
   Html out = table.html();
-  out +=
-      element("p", "note",
-              markup("± is one standard error: of the recording over blocks of time, of a model over its final replicates. Pale: more than "
-                     "two standard errors from the recording. The curves of the velocity autocorrelation are in tables/vacf.csv."));
+  out += element(
+      "p", "note",
+      markup("± is one standard error: of the recording over blocks of time, of a model over its final replicates. Pale: more than "
+             "two standard errors from the recording. No search saw any of them, but for mean speed and mean distance to the nearest "
+             "neighbour, which are in the score as distributions. The curves of the velocity autocorrelation are in tables/vacf.csv."));
   return out;
 }
 

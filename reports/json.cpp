@@ -94,8 +94,8 @@ Json parameters(const std::vector<ParameterResult>& table) {
   for (const ParameterResult& p : table) {
     const ParameterUncertainty& u = p.posterior;
     Json& one = out[p.name];
-    one = {{"value", p.value},       {"unit", p.unit}, {"lower", p.lower},   {"upper", p.upper},    {"fitted", p.fitted},
-           {"at_bound", p.at_bound}, {"log", p.log},   {"symbol", p.symbol}, {"meaning", p.meaning}};
+    one = {{"value", p.value},       {"unit", p.unit}, {"lower", p.lower},   {"upper", p.upper},     {"fitted", p.fitted},
+           {"at_bound", p.at_bound}, {"log", p.log},   {"symbol", p.symbol}, {"meaning", p.meaning}, {"interaction", p.interaction}};
     if (u.verdict.empty()) continue;
     one["ci"] = {u.lower, u.upper};
     one["median"] = u.median;

@@ -51,6 +51,8 @@ std::string what_was_done(const Comparison& c) {
       c.observation.error_source == "none" || c.observation.sigma.isZero() ? "" : fmt::format(", localisation error ({})", sigma_text(c));
   const std::string smooth = c.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.observation.smoothing)) : "";
   const int scouts = b.scout.rounds * b.scout.simulations;
+  const std::string fixed = kept_fixed(c);
+  const std::string kept = fixed.empty() ? "" : fmt::format(" Kept fixed were {}.", in_print(unit_in_print(fixed)));
   const std::string scouted =
       scouts > 0 ? fmt::format(", from starting points by semi-automatic approximate Bayesian computation ({} simulations) [6]", scouts)
                  : "";
@@ -61,10 +63,10 @@ std::string what_was_done(const Comparison& c) {
       "{} "
       "[1, 2]; the leaders were searched again with {} replicates and the best of them compared on {} others; final scores rest on {} "
       "fresh "
-      "replicates. Seed {}.",
+      "replicates.{} Seed {}.",
       models, c.version, c.data.frames, c.data.path, brief(c.data.individuals_per_frame, 3), brief(c.data.dt),
       c.data.synthetic ? ", synthetic" : "", c.observation.presence, c.observation.arena, error, smooth, scouted, b.search.replicates,
-      b.name, metrics_text(c), b.selection.replicates, b.confirmation_replicates, b.final_replicates, c.seed);
+      b.name, metrics_text(c), b.selection.replicates, b.confirmation_replicates, b.final_replicates, kept, c.seed);
 }
 
 constexpr const char* kMetricsDefined =

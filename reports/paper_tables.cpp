@@ -60,10 +60,10 @@ PaperTable ranking(const Comparison& c) {
   PaperTable t{
       "ranking",
       "Models by entropy-weighted score E (higher is better), with its 95 % interval over recordings as long as this one, the group "
-      "(models with the same letter cannot be told apart; model confidence set, 95 %), the goodness-of-fit p, and the skill (1: as "
-      "alike as the recording is to itself, 0: no better than its surrogates). ",
+      "(models with the same letter cannot be told apart; model confidence set, 95 %), the goodness-of-fit p, and the skill. ",
       {"model", "rank", "score", "95 %", "group", "fit p", "skill"},
       {}};
+  if (const std::string skill = what_skill_means(c); !skill.empty()) t.caption += "Skill: " + skill + ' ';
   if (c.hold_out.used) {
     t.caption += in_print(what_held_out_means(c)) + ' ';
     t.head.insert(t.head.end(), {"held out", "gap"});
@@ -81,6 +81,11 @@ PaperTable ranking(const Comparison& c) {
     if (c.hold_out.used) row.insert(row.end(), {in_print(held_out_score(r)), in_print(fixed(r.score - r.held_out.score, 3))});
     row.push_back(counted(r.evaluations));
     t.rows.push_back(std::move(row));
+  }
+  if (std::isfinite(c.skill.walker.value)) {
+    t.rows.push_back({std::string(kWalk), kUndefined, kUndefined, kUndefined, "", kUndefined});
+    t.rows.back().push_back(in_print(with_error(c.skill.walker.value, c.skill.walker.se, 2)));
+    t.rows.back().resize(t.head.size(), kUndefined);
   }
   return t;
 }

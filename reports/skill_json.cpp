@@ -29,6 +29,19 @@ Json curve(const std::vector<Estimate>& values) {
   return {{"value", std::move(value)}, {"se", std::move(se)}};
 }
 
+const char* name(SkillNull null) { return null == SkillNull::steps ? "steps" : null == SkillNull::places ? "places" : nullptr; }
+
+Json refuted_by(const FitResult& r, const std::string& length_unit) {
+  Json out = Json::array();
+  for (const Refutation& f : r.refuted_by)
+    out.push_back({{"key", f.item.key},
+                   {"name", f.item.name},
+                   {"unit", panel_unit(f.item, length_unit)},
+                   {"recording", {{"value", f.recording.value}, {"se", f.recording.se}}},
+                   {"model", {{"value", f.model}, {"sd", f.sd}}}});
+  return out;
+}
+
 Json leave_one_out(const Comparison& c) {
   Json out = Json::array();
   for (const LeftOut& w : c.without) {
@@ -50,8 +63,15 @@ void add_skill(Json& top, const Comparison& c) {
   top["floor"] = per_column(c, s.floor);
   top["floor_sd"] = per_column(c, s.floor_sd);
   top["null"] = per_column(c, s.null);
+  top["places"] = per_column(c, s.places);
   top["informative"] = per_column(c, s.informative);
-  top["skill_scale"] = {{"floor", s.mean_floor}, {"null", s.mean_null}, {"used", per_column(c, s.used)}};
+  top["skill_scale"] = {{"floor", s.mean_floor},
+                        {"floor_sd", s.mean_floor_sd},
+                        {"null", s.mean_null},
+                        {"null_of", name(s.null_of) ? Json(name(s.null_of)) : Json()},
+                        {"used", per_column(c, s.used)}};
+  top["random_walk"] = {{"skill", s.walker.value}, {"skill_se", s.walker.se}, {"suffices", s.walk_suffices}};
+  top["memory"] = {{"p", s.memory_p}, {"surrogates", s.surrogates}};
   top["interaction"] = {{"p", {{"d", s.interaction_p[0]}, {"eta", s.interaction_p[1]}}}, {"surrogates", s.surrogates}};
   top["leave_one_out"] = leave_one_out(c);
   Json units = Json::object();
@@ -68,6 +88,7 @@ void add_skill(Json& model, const FitResult& r, const Comparison& c) {
   model["skill_ci"] = {r.skill.value - 1.96 * r.skill.se, r.skill.value + 1.96 * r.skill.se};
   model["total_variation"] = per_column(c, r.total_variation);
   model["wasserstein"] = per_column(c, r.wasserstein);
+  model["refuted_by"] = refuted_by(r, c.data.unit);
   model["observables"] = observables(c.panel, r.panel);
   model["vacf"] = curve(r.vacf);
 }

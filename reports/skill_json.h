@@ -8,9 +8,9 @@
 
 namespace swarmfit {
 
-// Adds floor, null, skill_scale, interaction, leave_one_out and observables to the top of a comparison.
+// Adds floor, null, places, skill_scale, random_walk, memory, interaction, leave_one_out and observables to the top of a comparison.
 void add_skill(nlohmann::ordered_json& top, const Comparison&);
-// Adds skill, total_variation, wasserstein, observables and vacf to a model.
+// Adds skill, total_variation, wasserstein, refuted_by, observables and vacf to a model.
 void add_skill(nlohmann::ordered_json& model, const FitResult&, const Comparison&);
 
 }  // namespace swarmfit

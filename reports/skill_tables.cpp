@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reports/skill_tables.h"
 
+#include <cmath>
+
 #include "reports/number.h"
 #include "reports/words.h"
 
@@ -27,7 +29,7 @@ class Line {
 };
 
 std::string skill(const Comparison& c) {
-  std::string out = "model,metric,in_skill,total_variation,wasserstein,floor,floor_sd,null,informative,skill,skill_se\n";
+  std::string out = "model,metric,in_skill,total_variation,wasserstein,floor,floor_sd,null,places,informative,skill,skill_se\n";
   const SkillFacts& s = c.skill;
   for (const FitResult& r : c.models) {
     double mean = 0, number = 0;
@@ -35,11 +37,14 @@ std::string skill(const Comparison& c) {
       if (s.used[m]) mean += r.total_variation[m], ++number;
       Line line;
       line.add(r.model).add(c.columns[m].key()).add(s.used[m] ? "true" : "false").add(r.total_variation[m]).add(r.wasserstein[m]);
-      line.add(s.floor[m]).add(s.floor_sd[m]).add(s.null[m]).add(s.informative[m] ? "true" : "false").add("").add("");
+      line.add(s.floor[m]).add(s.floor_sd[m]).add(s.null[m]).add(s.places[m]);
+      line.add(s.informative[m] ? "true" : "false").add("").add("");
       out += line.end();
     }
     Line all;
-    all.add(r.model).add("all").add("").add(mean / number).add("").add(s.mean_floor).add("").add(s.mean_null).add("").add(r.skill);
+    const bool places = s.null_of == SkillNull::places;
+    all.add(r.model).add("all").add("").add(mean / number).add("").add(s.mean_floor).add(s.mean_floor_sd);
+    all.add(places ? NAN : s.mean_null).add(places ? s.mean_null : NAN).add("").add(r.skill);
     out += all.end();
   }
   return out;

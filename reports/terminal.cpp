@@ -64,6 +64,7 @@ TextTable ranking_table(const Comparison& c, TextStyle style) {
     if (c.hold_out.used) cells.insert(cells.end(), {held_out_score(r), fixed(r.score - r.held_out.score, 3)});
     table.row(cells, paint_of(r));
   }
+  if (std::isfinite(c.skill.walker.value)) table.row({"", std::string(kWalk), "", "", "", fixed(c.skill.walker.value, 2)}, Paint::dim);
   return table;
 }
 
@@ -103,10 +104,6 @@ std::vector<std::string> left_out(const Comparison& c, TextStyle style) {
   for (std::size_t m = 0; m < c.columns.size(); ++m)
     if (!counts(c, m)) out.push_back(fmt::format("({}) {}: {}", symbol_of(c.columns[m], style), c.columns[m].name(), why_left_out(c, m)));
   return out;
-}
-
-bool finite_skill(const Comparison& c) {
-  return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return std::isfinite(r.skill.value); });
 }
 
 constexpr std::string_view kGroup = "group_msd_";
@@ -205,7 +202,8 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
   if (const std::string ranks = what_ranks_mean(c); !ranks.empty()) out += paragraph(ranks, " ");
   if (c.hold_out.used) out += paragraph(what_held_out_means(c), " ");
-  out += finite_skill(c) ? " skill: 1 as alike as the recording is to itself, 0 no better than its surrogates\n" : "";
+  if (const std::string skill = what_skill_means(c); !skill.empty()) out += paragraph("skill: " + skill, " ");
+  if (const std::string fixed = kept_fixed(c); !fixed.empty()) out += paragraph("kept fixed: " + fixed, " ");
 
   out += energy_tables(c, style);
   out += paragraph("raw energy: " + what_energy_means(c), " ");

@@ -65,7 +65,8 @@ std::string wrapped(std::string_view text, std::size_t width, std::string_view i
 }
 
 std::string ascii(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSpelled = {{{"±", "+-"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kSpelled = {{{"±", "+-"},
+                                                                                       {"≤", "<="},
                                                                                        {"–", "-"},
                                                                                        {"—", "-"},
                                                                                        {"…", "..."},

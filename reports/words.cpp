@@ -36,6 +36,13 @@ std::string p_text(double p, int laws) {
   return p * (1 + laws) < 1.5 ? fmt::format("p ≤ {}", brief(p, 2)) : fmt::format("p = {}", brief(p, 2));
 }
 
+// What nobody needs a metric for, and refutes the model all the same.
+std::string refuted(const FitResult& r) {
+  std::vector<std::string> facts;
+  for (const Refutation& f : r.refuted_by) facts.push_back(f.item.key == "vacf_zero" ? "memory of direction" : f.item.name);
+  return facts.empty() ? std::string() : fmt::format("What anybody sees refutes it: {}.", enumerate(facts));
+}
+
 bool explains(const FitResult& r) { return r.certainty.goodness_p > kAlpha; }
 
 // Is the recording one that the model could have made?
@@ -72,7 +79,7 @@ std::string join(const std::vector<std::string>& sentences) {
 Headline single(const Comparison& c, const FitResult& only) {
   return {Verdict::single, fmt::format("{} is the only model here, so there is nothing to rank.{}", only.model, none_explains({&only})),
           join({"A score compares models with each other; alone, judge the fit by its raw energies and distributions.", goodness(c, only),
-                main_misfit(c, only)})};
+                refuted(only), main_misfit(c, only)})};
 }
 
 Headline tied(const Comparison& c, const std::vector<std::string>& together, const std::vector<const FitResult*>& scored) {
@@ -81,7 +88,7 @@ Headline tied(const Comparison& c, const std::vector<std::string>& together, con
           fmt::format("{} cannot be told apart with this recording and budget.{}", enumerate(together), none_explains(scored)),
           join({fmt::format("{} has the highest score, but leads {} by only {}, no more than chance does ({}).", first.model, second.model,
                             fixed(first.score - second.score, 3), p_text(second.certainty.set_p, c.laws)),
-                goodness(c, first), first_elsewhere(scored), main_misfit(c, first)})};
+                goodness(c, first), refuted(first), first_elsewhere(scored), main_misfit(c, first)})};
 }
 
 Headline ranked(const Comparison& c, const std::vector<const FitResult*>& scored) {
@@ -90,7 +97,23 @@ Headline ranked(const Comparison& c, const std::vector<const FitResult*>& scored
   return {known ? Verdict::clear : Verdict::open, fmt::format("{} moves most like the recording.{}", first.model, none_explains(scored)),
           join({fmt::format("It leads {} by {} in score ({}).", second.model, fixed(first.score - second.score, 3),
                             known ? p_text(second.certainty.set_p, c.laws) : "it cannot be told how sure that is"),
-                goodness(c, first), first_elsewhere(scored), main_misfit(c, first)})};
+                goodness(c, first), refuted(first), first_elsewhere(scored), main_misfit(c, first)})};
+}
+
+// Of the models alone.
+Headline of_models(const Comparison& c) {
+  std::vector<const FitResult*> scored;
+  for (const FitResult& r : c.models)
+    if (std::isfinite(r.score)) scored.push_back(&r);
+  if (scored.empty()) return {Verdict::none, "No model could be scored.", "See the warnings and the failed simulations below."};
+  if (scored.size() == 1 && c.models.size() == 1) return single(c, *scored[0]);
+  if (scored.size() == 1)
+    return {Verdict::open, fmt::format("{} is the only model that could be scored.", scored[0]->model), main_misfit(c, *scored[0])};
+
+  std::vector<std::string> together;
+  for (const FitResult* r : scored)
+    if (r->certainty.group == 1) together.push_back(r->model);
+  return together.size() > 1 ? tied(c, together, scored) : ranked(c, scored);
 }
 
 std::string power(const std::string& base, int exponent) {
@@ -105,18 +128,16 @@ std::string letter_of(int group) { return group > 0 ? std::string(1, static_cast
 }  // namespace
 
 Headline headline(const Comparison& c) {
-  std::vector<const FitResult*> scored;
-  for (const FitResult& r : c.models)
-    if (std::isfinite(r.score)) scored.push_back(&r);
-  if (scored.empty()) return {Verdict::none, "No model could be scored.", "See the warnings and the failed simulations below."};
-  if (scored.size() == 1 && c.models.size() == 1) return single(c, *scored[0]);
-  if (scored.size() == 1)
-    return {Verdict::open, fmt::format("{} is the only model that could be scored.", scored[0]->model), main_misfit(c, *scored[0])};
-
-  std::vector<std::string> together;
-  for (const FitResult* r : scored)
-    if (r->certainty.group == 1) together.push_back(r->model);
-  return together.size() > 1 ? tied(c, together, scored) : ranked(c, scored);
+  const Headline models = of_models(c);
+  const bool forgets = c.skill.memory_p > kAlpha;
+  if (models.verdict == Verdict::none || (!forgets && !c.skill.walk_suffices)) return models;
+  const std::string answer = forgets ? "The recording moves like a random walk made of its own steps."
+                                     : "No model is closer to the recording than a random walk made of its own steps.";
+  const std::string memory =
+      forgets ? fmt::format("It shows no memory of direction ({}), so no model can be told to explain more of how it moves.",
+                            p_text(c.skill.memory_p, c.skill.surrogates))
+              : std::string();
+  return {Verdict::walk, answer, join({memory, "Among the models:", models.sentence, models.detail})};
 }
 
 bool counts(const Comparison& c, std::size_t column) { return c.defined[column] && c.observation.used[column]; }
@@ -145,6 +166,34 @@ std::string what_ranks_mean(const Comparison& c) {
       "{}95 %: of the score, over recordings as long as this one. fit p: the share of recordings made by the model, of {}, that lie as far "
       "from it as this one.",
       c.models.size() > 1 ? "Models with the same letter cannot be told apart (model confidence set, 95 %). " : "", c.laws);
+}
+
+std::string what_skill_means(const Comparison& c) {
+  if (std::none_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return std::isfinite(r.skill.value); })) return {};
+  const bool motion = std::isfinite(c.skill.walker.value);  // or d and eta alone
+  const char* null = c.skill.null_of == SkillNull::places ? "its own places in random order"
+                     : motion                             ? "a random walk of its own steps (in d and η: than its tracks shifted in time)"
+                                                          : "its tracks shifted in time";
+  return fmt::format("1 as close to the recording as two halves of it are to each other, 0 no closer than {}.", null);
+}
+
+std::string kept_fixed(const Comparison& c) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_values;  // and who has them
+  for (const FitResult& r : c.models) {
+    std::string values;
+    for (const ParameterResult& p : r.parameters)
+      if (!p.fitted)
+        values += fmt::format("{}{} {}{}{}", values.empty() ? "" : ", ", p.name, brief(p.value, 3), p.unit.empty() ? "" : " ", p.unit);
+    if (values.empty()) continue;
+    const auto same = std::find_if(by_values.begin(), by_values.end(), [&](const auto& one) { return one.first == values; });
+    if (same == by_values.end())
+      by_values.push_back({values, {r.model}});
+    else
+      same->second.push_back(r.model);
+  }
+  std::string out;
+  for (const auto& [values, models] : by_values) out += fmt::format("{}{}: {}", out.empty() ? "" : "; ", enumerate(models), values);
+  return out;
 }
 
 std::string lags_measured(const Comparison& c) {

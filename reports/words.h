@@ -15,6 +15,7 @@ enum class Verdict {
   tie,     // at least one other model is in the winner's group
   clear,   // the winner is alone in its group
   open,    // ranked, but without groups
+  walk,    // a random walk of the recording's own steps does as well
 };
 
 struct Headline {
@@ -36,6 +37,15 @@ std::string what_drowned_means(const Comparison&);
 
 // What the letters, the interval and the p of the ranking mean; empty without laws.
 std::string what_ranks_mean(const Comparison&);
+
+// What a skill of 1 and of 0 is: "1 as close as …, 0 no closer than …"; empty where no model has one.
+std::string what_skill_means(const Comparison&);
+// The null that knows only steps, as a row of the ranking: its name, and its skill beside those of the models.
+inline constexpr std::string_view kWalk = "random walk of its own steps";
+
+// What every model has in its settings and no search has changed, with values and units: "a and b: radius 4.1 mm; c: tau 0.5 s"; empty if
+// there is nothing.
+std::string kept_fixed(const Comparison&);
 
 // Over which times motion is measured, and how much of that is localisation error.
 std::string lags_measured(const Comparison&);

@@ -152,6 +152,11 @@ void add_skill(Comparison& c) {
   s.floor = {0.021, 0.03, 0.025, 0.02, 0.033, 0.04, 0.038};
   s.floor_sd = {0.004, 0.005, 0.004, 0.003, 0.006, 0.009, 0.007};
   s.null = {0.02, 0.51, 0.73, 0.44, 0.62, 0.09, 0.04};
+  s.places = {0.9, 0.91, 0.92, 0.93, 0.94, 0.1, 0.95};
+  s.null_of = SkillNull::steps;
+  s.mean_floor_sd = 0.003;
+  s.walker = {0, 0.004};
+  s.memory_p = 0.01;
   s.informative = {false, true, true, true, true, true, false};
   s.used = c.observation.used;
   s.mean_floor = 0.03;
@@ -248,8 +253,8 @@ Comparison sample_at_lags() {
   c.columns = columns_at({1, 4, 16});
   const auto same = [](auto x, std::size_t) { return x; };
   const auto true_flag = [](bool, std::size_t) { return true; };
-  for (auto* values :
-       {&c.observation.independent, &c.axis_lower, &c.axis_width, &c.p1, &c.p2, &c.skill.floor, &c.skill.floor_sd, &c.skill.null})
+  for (auto* values : {&c.observation.independent, &c.axis_lower, &c.axis_width, &c.p1, &c.p2, &c.skill.floor, &c.skill.floor_sd,
+                       &c.skill.null, &c.skill.places})
     extend(*values, 2, same);
   extend(c.observation.error_share, 2, [](double, std::size_t j) { return j < 12 ? 0.1 : 0.02; });
   for (auto* flags : {&c.defined, &c.observation.used, &c.skill.used, &c.skill.informative}) extend(*flags, 2, true_flag);

@@ -36,13 +36,14 @@ TEST(SkillTables, OneRowEach) {
   ASSERT_EQ(skill.size(), 1u + 5 * 8);
   EXPECT_THAT(skill[1], testing::StartsWith("bswarm,v,true,"));
   EXPECT_THAT(skill[8], testing::StartsWith("bswarm,all,,"));
-  EXPECT_THAT(skill[8], testing::EndsWith(",0.03,,0.28,,0.812,0.02"));
+  EXPECT_THAT(skill[8], testing::EndsWith(",0.03,0.003,0.28,,,0.812,0.02"));
+  EXPECT_THAT(skill[1], testing::EndsWith(",0.021,0.004,0.02,0.9,false,,"));
   EXPECT_EQ(lines(c, "leave_one_out.csv").size(), 1u + 5 * 4);
   EXPECT_EQ(lines(c, "leave_one_out.csv")[1], "bswarm,1,bswarm[noise=perlin],0.781,false");
   EXPECT_EQ(lines(c, "panel.csv").size(), 1u + 6 * c.panel.items.size());
   EXPECT_EQ(lines(c, "panel.csv")[1], "recording,sd_x,mm,1.5,0.1");
   EXPECT_EQ(lines(c, "vacf.csv").size(), 1u + 4);
-  for (const auto& line : skill) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 10) << line;
+  for (const auto& line : skill) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 11) << line;
   for (const auto& line : lines(c, "vacf.csv")) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 12) << line;
 }
 
@@ -54,6 +55,14 @@ TEST(SkillJson, EveryNumberOfTheResult) {
   EXPECT_EQ(j["null"]["omega"], 0.73);
   EXPECT_EQ(j["informative"]["eta"], false);
   EXPECT_EQ(j["skill_scale"]["null"], 0.28);
+  EXPECT_EQ(j["skill_scale"]["null_of"], "steps");
+  EXPECT_EQ(j["skill_scale"]["floor_sd"], 0.003);
+  EXPECT_EQ(j["places"]["omega"], 0.92);
+  EXPECT_EQ(j["random_walk"]["skill"], 0);
+  EXPECT_EQ(j["random_walk"]["skill_se"], 0.004);
+  EXPECT_EQ(j["random_walk"]["suffices"], false);
+  EXPECT_EQ(j["memory"]["p"], 0.01);
+  EXPECT_EQ(j["memory"]["surrogates"], 99);
   EXPECT_EQ(j["interaction"]["p"]["eta"], 0.48);
   EXPECT_EQ(j["leave_one_out"][1]["reordered"], true);
   EXPECT_EQ(j["leave_one_out"][1]["without"], "bswarm[noise=perlin]");
@@ -69,6 +78,51 @@ TEST(SkillJson, EveryNumberOfTheResult) {
   EXPECT_EQ(j["models"][0]["vacf"]["value"].size(), 4u);
 }
 
+TEST(SkillJson, WhatRefutesAModelAndWhichNullTheScaleHas) {
+  Comparison c = sample_comparison();
+  c.models[1].refuted_by = {{c.panel.items[4], {NAN, NAN}, 0.4, 0.01}, {c.panel.items[3], {213, 4}, 99, 2}};
+  c.models[0].parameters[0].interaction = true;
+  c.skill.null_of = SkillNull::places;
+  auto j = json::parse(to_json(c));
+  EXPECT_EQ(j["models"][0]["refuted_by"].size(), 0u);
+  const auto& facts = j["models"][1]["refuted_by"];
+  EXPECT_EQ(facts[0]["key"], "vacf_zero");
+  EXPECT_EQ(facts[0]["unit"], "s");
+  EXPECT_TRUE(facts[0]["recording"]["value"].is_null());
+  EXPECT_EQ(facts[0]["model"]["value"], 0.4);
+  EXPECT_EQ(facts[1]["name"], "mean speed");
+  EXPECT_EQ(facts[1]["unit"], "mm/s");
+  EXPECT_EQ(facts[1]["recording"]["se"], 4);
+  EXPECT_EQ(facts[1]["model"]["sd"], 2);
+  EXPECT_EQ(j["models"][0]["parameters"]["gamma"]["interaction"], true);
+  EXPECT_EQ(j["models"][0]["parameters"]["chi_att"]["interaction"], false);
+  EXPECT_EQ(j["skill_scale"]["null_of"], "places");
+  c.skill.null_of = SkillNull::none;
+  EXPECT_TRUE(json::parse(to_json(c))["skill_scale"]["null_of"].is_null());
+}
+
+// The random walk has a line of its own, and the legend says what 0 is.
+TEST(SkillReports, TheRandomWalkStandsBesideTheModels) {
+  Comparison c = sample_comparison();
+  const auto legend = [&] { return ranking_text(c, {}); };
+  EXPECT_THAT(legend(), HasSubstr("\n       random walk of its own steps                               0.00\n"));
+  EXPECT_THAT(legend(), HasSubstr("0 no closer than a random\n walk of its own steps (in d and η: than its tracks shifted in time)."));
+  EXPECT_THAT(report_html(c), HasSubstr("0.00 ± 0.00"));
+  c.skill.null_of = SkillNull::places;
+  c.skill.walker = {0.98, 0.01};
+  EXPECT_THAT(legend(), HasSubstr("random walk of its own steps                               0.98\n"));
+  EXPECT_THAT(legend(), HasSubstr("0 no closer than its own\n places in random order."));
+  const auto page = report_html(c);
+  EXPECT_THAT(page, HasSubstr("0.98 ± 0.01"));
+  EXPECT_THAT(page, HasSubstr("its places in random order (null)"));
+  const auto skill = lines(c, "skill.csv");
+  EXPECT_THAT(skill[8], testing::EndsWith(",0.03,0.003,,0.28,,0.812,0.02"));
+  c.skill.walker = {};
+  c.skill.null_of = SkillNull::steps;  // on d and eta alone
+  EXPECT_THAT(legend(), testing::Not(HasSubstr("random walk of its own steps")));
+  EXPECT_THAT(legend(), HasSubstr("0 no closer than its\n tracks shifted in time."));
+}
+
 TEST(SkillTerminal, SkillBesideTheScoreAndASmallPanel) {
   const auto text = ranking_text(sample_comparison(), {});
   EXPECT_THAT(text, HasSubstr("skill"));
@@ -77,7 +131,7 @@ TEST(SkillTerminal, SkillBesideTheScoreAndASmallPanel) {
   EXPECT_THAT(text, HasSubstr("d/Poisson"));
   auto none = sample_comparison();
   for (auto& m : none.models) m.skill = {};
-  EXPECT_THAT(ranking_text(none, {}), testing::Not(HasSubstr("no better than its surrogates")));
+  EXPECT_THAT(ranking_text(none, {}), testing::Not(HasSubstr("skill: ")));
 }
 
 TEST(SkillHtml, ThreeSectionsWithTheirNumbers) {
@@ -87,7 +141,8 @@ TEST(SkillHtml, ThreeSectionsWithTheirNumbers) {
   EXPECT_THAT(page, HasSubstr("have p = 0.01, the velocity differences p = 0.48"));
   EXPECT_THAT(page, HasSubstr("<td>changed</td>"));
   EXPECT_THAT(page, HasSubstr("zero of the velocity autocorrelation"));
-  EXPECT_THAT(page, HasSubstr("What was not fitted"));
+  EXPECT_THAT(page, HasSubstr("what was not fitted"));
+  EXPECT_THAT(page, HasSubstr("all motion in the score together has p = 0.01"));
 }
 
 TEST(PanelUnit, PowersOfLengthAndTime) {

@@ -29,7 +29,7 @@ bool is_ascii(const std::string& text) {
 TEST(RankingText, ShowsScoresEnergiesWeightsAndWarnings) {
   const std::string text = ranking_text(sample_comparison(), {});
   EXPECT_THAT(text, HasSubstr("bswarm moves most like the recording."));
-  EXPECT_THAT(text, HasSubstr(" 1 a  bswarm *                  0.912  0.88 .. 0.93   0.50   0.81"));
+  EXPECT_THAT(text, HasSubstr(" 1 a  bswarm *                      0.912  0.88 .. 0.93   0.50   0.81"));
   EXPECT_THAT(text, HasSubstr("(α)"));
   EXPECT_THAT(text, HasSubstr("a~"));
   EXPECT_THAT(text, HasSubstr("~ mostly localisation error"));
@@ -38,6 +38,19 @@ TEST(RankingText, ShowsScoresEnergiesWeightsAndWarnings) {
   EXPECT_THAT(text, HasSubstr("mostly localisation error."));
   EXPECT_THAT(text, HasSubstr("* ended on a bound of its search"));
   EXPECT_THAT(text, Not(HasSubstr("\033")));
+}
+
+// Of every model what no search has changed, wrapped like the rest.
+TEST(RankingText, ShowsWhatIsKeptFixed) {
+  Comparison c = sample_comparison();
+  EXPECT_THAT(ranking_text(c, {}), HasSubstr(" kept fixed: bswarm, bswarm[noise=perlin]"));
+  for (FitResult& r : c.models)
+    for (int k = 0; k < 9; ++k) r.parameters.push_back({"parameter_" + r.model, "", "mm/s^2", "", 0.25, 0.25, 0.25, false, false, false});
+  EXPECT_LE(widest(ranking_text(c, {})), 100u);
+  c.models[0].parameters.back().unit = "mm/s^2";
+  EXPECT_THAT(ranking_text(c, {}), HasSubstr("parameter_bswarm 0.25 mm/s^2"));
+  for (FitResult& r : c.models) r.parameters.clear();
+  EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("kept fixed")));
 }
 
 TEST(RankingText, FitsAHundredColumns) {

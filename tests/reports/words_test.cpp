@@ -52,6 +52,47 @@ TEST(Headline, SaysThatNoModelExplainsTheRecording) {
   EXPECT_THAT(headline(c).sentence, HasSubstr("This fit does not explain the recording."));
 }
 
+TEST(Headline, ARandomWalkIsAnAnswer) {
+  Comparison c = in_groups({1, 2});
+  c.skill.walk_suffices = true;
+  const Headline close = headline(c);
+  EXPECT_EQ(close.verdict, Verdict::walk);
+  EXPECT_EQ(close.sentence, "No model is closer to the recording than a random walk made of its own steps.");
+  EXPECT_THAT(close.detail, testing::StartsWith("Among the models: a moves most like the recording. It leads b by"));
+  c.skill.memory_p = 0.34;
+  c.skill.walk_suffices = false;
+  const Headline forgets = headline(c);
+  EXPECT_EQ(forgets.verdict, Verdict::walk);
+  EXPECT_EQ(forgets.sentence, "The recording moves like a random walk made of its own steps.");
+  EXPECT_THAT(forgets.detail, testing::StartsWith("It shows no memory of direction (p = 0.34), so no model can be told to explain more of "
+                                                  "how it moves. Among the models: a moves most like the recording."));
+  c.skill.memory_p = 0.05;
+  EXPECT_EQ(headline(c).verdict, Verdict::clear);
+  for (FitResult& r : c.models) r.score = NAN;
+  c.skill.memory_p = 0.34;
+  EXPECT_EQ(headline(c).verdict, Verdict::none);
+}
+
+TEST(Headline, NamesTheFactsThatRefuteTheWinner) {
+  Comparison c = in_groups({1, 2});
+  EXPECT_THAT(headline(c).detail, Not(HasSubstr("refutes")));
+  const auto& items = c.panel.items;
+  c.models[0].refuted_by = {{items[3], {}, 1, 0}, {items[4], {}, 1, 0}};
+  EXPECT_THAT(headline(c).detail, HasSubstr("What anybody sees refutes it: mean speed and memory of direction."));
+  c.models.pop_back();
+  EXPECT_THAT(headline(c).detail, HasSubstr("What anybody sees refutes it: mean speed and memory of direction."));
+}
+
+TEST(KeptFixed, OnceForAllModelsThatShareIt) {
+  Comparison c = in_groups({1, 2, 3, 4});
+  c.models[2].parameters[3].value = 0.5;
+  c.models[2].parameters.push_back({"max_neighbours", "", "", "", 10, 10, 10, false, false, false});
+  for (ParameterResult& p : c.models[3].parameters) p.fitted = true;
+  EXPECT_EQ(kept_fixed(c), "a and b: radius 4.1 mm; c: radius 0.5 mm, max_neighbours 10");
+  for (FitResult& r : c.models) r.parameters.clear();
+  EXPECT_EQ(kept_fixed(c), "");
+}
+
 TEST(Headline, SaysWhoIsFirstWhereNobodyWasFitted) {
   Comparison c = in_groups({1, 2});
   c.hold_out = {true, 1, 240, 261, 500};
