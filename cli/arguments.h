@@ -62,8 +62,7 @@ struct ReportArguments {
 struct RecoverArguments {
   Common common;
   std::vector<std::string> models, planted, set;
-  std::string preset, out, budget = "quick", protocol = "default", scoring, observation_error, lags, resolution, calibration,
-      steps;
+  std::string preset, out, budget = "quick", protocol = "default", scoring, observation_error, lags, resolution, calibration, steps;
   std::int64_t max_evaluations = 0, frames = 300;
   double max_time = 0;      // [s]; 0: none
   bool resume = false;      // take up the checkpoint in `out`

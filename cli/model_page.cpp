@@ -73,7 +73,9 @@ namespace {
 
 // Of the time step in fits.
 std::string fit_step(const ModelSpec& spec) {
-  std::string map = spec.map.empty() ? "" : spec.map == "always" ? "one step per frame" : fmt::format("one step per frame with `{}`", spec.map);
+  std::string map = spec.map.empty()       ? ""
+                    : spec.map == "always" ? "one step per frame"
+                                           : fmt::format("one step per frame with `{}`", spec.map);
   const std::string most = std::isfinite(spec.largest_dt) ? fmt::format(", at most {:.3g} T", spec.largest_dt) : "";
   if (spec.map == "always") return ", of fits " + map;
   return fmt::format(", of fits as many steps per frame as it takes{}{}{}", most, map.empty() ? "" : "; ", map);

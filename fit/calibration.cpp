@@ -13,8 +13,8 @@ namespace {
 constexpr double kLeadersApart = 0.1;     // in the unit cube: far enough that they do not share their luck
 constexpr double kFinalistsApart = 0.02;  // near ones are all but the same model
 constexpr std::size_t kFinalists = 12;
-constexpr std::size_t kSettled = 2;       // leaders at which the time step is chosen
-constexpr int kScoutShare = 4;  // fewer candidates than so many times the scout's runs are not worth it
+constexpr std::size_t kSettled = 2;  // leaders at which the time step is chosen
+constexpr int kScoutShare = 4;       // fewer candidates than so many times the scout's runs are not worth it
 
 // Later passes start from what is known, rescored, so they search so many times less. Least of all the whole space on few replicates:
 // there all that is left to find is luck.

@@ -125,8 +125,8 @@ Scales natural_scales(const Tracks& recording) {
     square += static_cast<double>(frames[f].count) * order.extent[f] * order.extent[f];
     weight += static_cast<double>(frames[f].count);
   }
-  return {weight > 0 ? std::sqrt(square / weight) : 0, paired ? spacing / static_cast<double>(paired) : 0,
-          speed, speed > 0 ? bulk / (2 * kNormalCentral * speed) : 1};
+  return {weight > 0 ? std::sqrt(square / weight) : 0, paired ? spacing / static_cast<double>(paired) : 0, speed,
+          speed > 0 ? bulk / (2 * kNormalCentral * speed) : 1};
 }
 
 Bounds parse_arena(const std::string& text, const Tracks& recording) {

@@ -60,9 +60,10 @@ void warn_of_step(const FitResult& m, const Comparison& r, std::vector<std::stri
   std::size_t most = 0;
   for (std::size_t j = 1; j < r.columns.size(); ++j)
     if (change(j) > change(most)) most = j;
-  warn(out, "{}: integration has not converged with {} steps per frame. Halving the step changes its energy in {} from {:.3g} to {:.3g}, "
-       "so its parameters and its rank belong to the step; --steps sets more.", m.model, m.steps, r.columns[most].symbol(),
-       m.raw_energies[most], m.half_step_energies[most]);
+  warn(out,
+       "{}: integration has not converged with {} steps per frame. Halving the step changes its energy in {} from {:.3g} to {:.3g}, "
+       "so its parameters and its rank belong to the step; --steps sets more.",
+       m.model, m.steps, r.columns[most].symbol(), m.raw_energies[most], m.half_step_energies[most]);
 }
 
 void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::string>& out) {

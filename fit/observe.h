@@ -7,7 +7,8 @@
 namespace swarmfit {
 
 // What the camera would have made of a simulation: only individuals that the recording shows in a frame are seen, every seen position
-// carries a localisation error of its own, and is rounded as the file's positions are. Sits between a simulation and the evaluator; ids are track numbers of the recording.
+// carries a localisation error of its own, and is rounded as the file's positions are. Sits between a simulation and the evaluator; ids are
+// track numbers of the recording.
 class Observer : public FrameSink {
  public:
   // mask: the recording whose presence and gaps are applied, or null to see everybody with an id below `tracked`. sigma: error per axis

@@ -14,7 +14,7 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kWarmUp = 2;    // in units of L / V
+constexpr double kWarmUp = 2;   // in units of L / V
 constexpr int kFilmSteps = 10;  // per frame: animals do not move once per frame, nor as finely as their model is stepped in fits
 
 // Of a case, in the order in which they are kept.

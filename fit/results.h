@@ -52,21 +52,21 @@ struct DataFacts {
 
 // How simulations were made comparable with the recording.
 struct ObservationFacts {
-  std::string presence;                           // "recorded" or "constant"
-  std::string arena;                              // as --arena takes it
-  int unseen = 0;                                 // individuals simulated beside the tracked ones (--population)
-  std::string error_source;                       // "estimate", "given", "none"
-  Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error per axis [unit]
-  bool white = true;                              // the estimate is consistent with white error
+  std::string presence;                              // "recorded" or "constant"
+  std::string arena;                                 // as --arena takes it
+  int unseen = 0;                                    // individuals simulated beside the tracked ones (--population)
+  std::string error_source;                          // "estimate", "given", "none"
+  Eigen::Array3d sigma = Eigen::Array3d::Zero();     // localisation error per axis [unit]
+  bool white = true;                                 // the estimate is consistent with white error
   Eigen::Array3d rounding = Eigen::Array3d::Zero();  // to which positions are rounded on both sides, per axis [unit]; 0: not
-  double smoothing = 0;                           // standard deviation of the Gaussian smoothing of both sides [frames]; 0: none
-  std::string velocity;                           // "difference" or "recorded"
-  PerColumn<double> independent{};                // effective sample size of each column (libeval/independent.h); NaN undefined
-  PerColumn<double> error_share{};                // share of each column's variance that is localisation error; NaN unknown
-  PerColumn<bool> drowned{};                      // more of it is error than CompareOptions::error_limit
-  PerColumn<bool> used{};                         // is the column in the default score?
-  PerColumn<std::string> why_not{};               // the reason where it is not
-  int longest_lag = 1;                            // that the recording carries (libeval/lags.h) [frames]
+  double smoothing = 0;                              // standard deviation of the Gaussian smoothing of both sides [frames]; 0: none
+  std::string velocity;                              // "difference" or "recorded"
+  PerColumn<double> independent{};                   // effective sample size of each column (libeval/independent.h); NaN undefined
+  PerColumn<double> error_share{};                   // share of each column's variance that is localisation error; NaN unknown
+  PerColumn<bool> drowned{};                         // more of it is error than CompareOptions::error_limit
+  PerColumn<bool> used{};                            // is the column in the default score?
+  PerColumn<std::string> why_not{};                  // the reason where it is not
+  int longest_lag = 1;                               // that the recording carries (libeval/lags.h) [frames]
 };
 
 // What the columns of one lag contribute.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMostDoublings = 4;
 constexpr double kStandardErrors = 3;
-constexpr double kSlight = 0.1;   // of an energy: a model that is far from the recording does not come nearer by that
+constexpr double kSlight = 0.1;  // of an energy: a model that is far from the recording does not come nearer by that
 
 double squared_error(const Outcome& outcome, std::size_t column) {
   Moments single;

@@ -16,8 +16,9 @@ namespace swarmfit {
 // tenth of themselves?
 bool same_energies(const Outcome& one, const Outcome& other, const Target& target);
 
-// The fewest steps, from as many as the objective has on by doubling, at which one more doubling changes no energy of any of these candidates
-// on these seeds; sixteen times as many at most. The objective is left with them.
-void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates, std::span<const Rng> seeds);
+// The fewest steps, from as many as the objective has on by doubling, at which one more doubling changes no energy of any of these
+// candidates on these seeds; sixteen times as many at most. The objective is left with them.
+void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
+                  std::span<const Rng> seeds);
 
 }  // namespace swarmfit

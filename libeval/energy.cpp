@@ -63,8 +63,8 @@ struct ZScore {
 };
 ZScore z_score(const Moments& m) { return {m.mean, std::max(m.sd(), kSpreadFloor * std::abs(m.mean))}; }
 
-// That of a recording: no bin is narrower than what rounding puts on the metric. A deviation that is smaller is next to none, and the metric
-// a fact that simulations have to match: its mean lies in the middle of a bin then, not on the edge between two.
+// That of a recording: no bin is narrower than what rounding puts on the metric. A deviation that is smaller is next to none, and the
+// metric a fact that simulations have to match: its mean lies in the middle of a bin then, not on the edge between two.
 ZScore z_score(const Moments& m, const Binning& b, double rounding, double natural) {
   ZScore z = z_score(m);
   z.scale = std::max({z.scale, kSpreadFloor * natural, rounding * b.bins / (b.upper - b.lower)});

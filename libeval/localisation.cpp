@@ -80,8 +80,8 @@ bool flat_spectrum(const Tracks& tracks, Index axis) {
   return high <= kFlat * low;
 }
 
-// What a red spectrum does to the levels: it raises those that see lower frequencies, and lets levels fall on with the order. 0 for white error;
-// `of_walk` for a random walk, whose steps are the animal's own. From the order on at which motion leaves next to nothing.
+// What a red spectrum does to the levels: it raises those that see lower frequencies, and lets levels fall on with the order. 0 for white
+// error; `of_walk` for a random walk, whose steps are the animal's own. From the order on at which motion leaves next to nothing.
 struct Tilt {
   double seen = 0, of_walk = 0;
 };
@@ -101,9 +101,9 @@ struct AxisError {
   bool white, rounding;
 };
 
-// The level that speeds have, from one frame to the next, at one order less: white error along the way shows in them as it does in positions,
-// and somebody who flies at a constant speed on a rough path has none. Infinite where steps are hardly longer than errors: speeds then say
-// less.
+// The level that speeds have, from one frame to the next, at one order less: white error along the way shows in them as it does in
+// positions, and somebody who flies at a constant speed on a rough path has none. Infinite where steps are hardly longer than errors:
+// speeds then say less.
 double level_of_speeds(const Tracks& tracks, double error) {
   constexpr int order = 6;
   const auto c = taps(order - 1, 0);

@@ -10,8 +10,8 @@ namespace swarmfit {
 //
 // White error of variance σ² gives the m-th difference of positions the variance C(2m, m) σ²; smooth motion gives it ever less as m grows.
 // So Var(Δ^m x) / C(2m, m) falls with m until it levels off at σ² (the variate difference method: Anderson 1929, Tintner 1940). Real
-// accelerations that change from frame to frame level off too, so sigma is an upper bound. It is only called an error where it cannot be the
-// motion: the spectrum must be white, not that of a random walk, which falls by a quarter over its upper third, and the error must show
+// accelerations that change from frame to frame level off too, so sigma is an upper bound. It is only called an error where it cannot be
+// the motion: the spectrum must be white, not that of a random walk, which falls by a quarter over its upper third, and the error must show
 // along the way as it does aside, in speeds that change as much as it would change them.
 //
 // Variances are squared medians of |Δ^m x| / 0.6745: sigma is that of a normal error with the recording's bulk. Identity jumps and wild

@@ -12,10 +12,10 @@ namespace swarmfit {
 namespace {
 
 constexpr int kMostDecimals = 9;
-constexpr double kNearlyAll = 0.95;    // the rest may have been filled in
-constexpr std::size_t kEnough = 20;     // steps along an axis: chance makes a few values multiples of anything
-constexpr double kWhole = 1e-6;        // a number this near to a whole one is one, but for the rounding of doubles
-constexpr double kMostCells = 1e6;     // between the outermost positions: gaps of a finer grid cannot be counted
+constexpr double kNearlyAll = 0.95;      // the rest may have been filled in
+constexpr std::size_t kEnough = 20;      // steps along an axis: chance makes a few values multiples of anything
+constexpr double kWhole = 1e-6;          // a number this near to a whole one is one, but for the rounding of doubles
+constexpr double kMostCells = 1e6;       // between the outermost positions: gaps of a finer grid cannot be counted
 constexpr double kNormalShare = 0.6827;  // of a normal law within one standard deviation
 
 bool whole(double x) { return std::abs(x - std::round(x)) < kWhole; }
@@ -97,12 +97,16 @@ Tracks dithered(const Tracks& tracks, const Grid& grid) {
 }
 
 // Of the differences between values that belong to the same rows, what would be the standard deviation of a normal law with their bulk.
-double change(const std::vector<double>& a, const std::vector<Index>& rows_a, const std::vector<double>& b, const std::vector<Index>& rows_b) {
+double change(const std::vector<double>& a, const std::vector<Index>& rows_a, const std::vector<double>& b,
+              const std::vector<Index>& rows_b) {
   std::vector<double> apart;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    if (rows_a[i] == rows_b[j]) apart.push_back(std::abs(a[i++] - b[j++]));
-    else if (rows_a[i] < rows_b[j]) ++i;
-    else ++j;
+    if (rows_a[i] == rows_b[j])
+      apart.push_back(std::abs(a[i++] - b[j++]));
+    else if (rows_a[i] < rows_b[j])
+      ++i;
+    else
+      ++j;
   }
   return apart.empty() ? 0 : quantile(std::move(apart), kNormalShare);
 }

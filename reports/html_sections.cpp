@@ -145,6 +145,7 @@ Html ranking(const Comparison& c) {
     if (!note.empty()) out += element("p", "note", escaped(note));
   if (const std::string fixed = kept_fixed(c); !fixed.empty())
     out += element("p", "note", Html{"<b>Kept fixed</b>, not searched: " + escaped(unit_in_print(fixed)).text + "."});
+  out += element("p", "note", Html{"<b>Simulation steps per frame</b>: " + escaped(steps_taken(c)).text + "."});
   return out;
 }
 

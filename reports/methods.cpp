@@ -52,7 +52,9 @@ std::string what_was_done(const Comparison& c) {
   const std::string smooth = c.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.observation.smoothing)) : "";
   const int scouts = b.scout.rounds * b.scout.simulations;
   const std::string fixed = kept_fixed(c);
-  const std::string kept = fixed.empty() ? "" : fmt::format(" Kept fixed were {}.", in_print(unit_in_print(fixed)));
+  const std::string kept =
+      fmt::format("{} Simulation steps per frame: {}.",
+                  fixed.empty() ? "" : fmt::format(" Kept fixed were {}.", in_print(unit_in_print(fixed))), steps_taken(c));
   const std::string scouted =
       scouts > 0 ? fmt::format(", from starting points by semi-automatic approximate Bayesian computation ({} simulations) [6]", scouts)
                  : "";

@@ -204,6 +204,7 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   if (c.hold_out.used) out += paragraph(what_held_out_means(c), " ");
   if (const std::string skill = what_skill_means(c); !skill.empty()) out += paragraph("skill: " + skill, " ");
   if (const std::string fixed = kept_fixed(c); !fixed.empty()) out += paragraph("kept fixed: " + fixed, " ");
+  out += paragraph("steps per frame: " + steps_taken(c), " ");
 
   out += energy_tables(c, style);
   out += paragraph("raw energy: " + what_energy_means(c), " ");

@@ -2,10 +2,12 @@
 #include "reports/words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 
 #include "reports/number.h"
 
@@ -194,6 +196,17 @@ std::string kept_fixed(const Comparison& c) {
   std::string out;
   for (const auto& [values, models] : by_values) out += fmt::format("{}{}: {}", out.empty() ? "" : "; ", enumerate(models), values);
   return out;
+}
+
+std::string steps_taken(const Comparison& c) {
+  std::map<int, std::vector<std::string>> by_steps;  // 0: maps
+  for (const FitResult& r : c.models) by_steps[r.map ? 0 : r.steps].push_back(r.model);
+  std::vector<std::string> out;
+  for (const auto& [steps, models] : by_steps)
+    if (steps > 0) out.push_back(fmt::format("{} {}", enumerate(models), steps));
+  if (by_steps.contains(0))
+    out.push_back(fmt::format("{} {} once per frame", enumerate(by_steps[0]), by_steps[0].size() > 1 ? "decide" : "decides"));
+  return fmt::format("{}", fmt::join(out, "; "));
 }
 
 std::string lags_measured(const Comparison& c) {

@@ -47,6 +47,9 @@ inline constexpr std::string_view kWalk = "random walk of its own steps";
 // there is nothing.
 std::string kept_fixed(const Comparison&);
 
+// Simulation steps per frame of every model: "a 1; b 4; c decides once per frame".
+std::string steps_taken(const Comparison&);
+
 // Over which times motion is measured, and how much of that is localisation error.
 std::string lags_measured(const Comparison&);
 // Which lag carried the decision: "Lag 8 (0.08 s) carried 71 % of the weight, …. "; empty if there is only one.

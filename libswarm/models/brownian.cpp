@@ -18,8 +18,9 @@
 // gamma2 |v|² dt > 0.2 for anybody; e follows its exact solution for constant |v|. Where the noise takes an agent within a step is drawn,
 // too: given both velocities, the path of a Brownian velocity has an area of variance 2 D dt³ / 12 beside the trapezoid's. So the
 // statistics of positions are those of the continuous process at any step that resolves friction and forces: second differences have two
-// thirds of the variance that kicks once per step would give them, and neighbouring ones a correlation of 1/4. Agents enter with e = q0 / (c + d2 |v|²), at which it stays while the speed does. Agents at the same place part in a
-// drawn direction. Forces beyond 30 times the longest range, a factor 1e-13, are left out.
+// thirds of the variance that kicks once per step would give them, and neighbouring ones a correlation of 1/4. Agents enter with e = q0 /
+// (c + d2 |v|²), at which it stays while the speed does. Agents at the same place part in a drawn direction. Forces beyond 30 times the
+// longest range, a factor 1e-13, are left out.
 //
 // A free particle with Rayleigh friction has the stationary speeds P(v) ~ v^(dims-1) exp(-(gamma2 v^4 / 4 - gamma1 v² / 2) / D). With the
 // printed parameters noise dominates: the mean speed of S17 is 0.83, sqrt(gamma1 / gamma2) is 0.24.

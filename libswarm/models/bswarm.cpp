@@ -251,8 +251,8 @@ class Bswarm : public Model {
     return c.p[kNoise] * (dims_ == 2 ? field.curl2(x) : field.curl(x));
   }
 
-  // Continuous noise changes the velocity gradually, so the path falls behind v dt by half of what the kick alone adds to it, and scatters by
-  // the area of a Brownian bridge.
+  // Continuous noise changes the velocity gradually, so the path falls behind v dt by half of what the kick alone adds to it, and scatters
+  // by the area of a Brownian bridge.
   Array3d astray(const State& now, Index i, const StepContext& c) const {
     constexpr double bridge = 0.28867513459481287;  // 1 / sqrt(12)
     const std::uint32_t id = now.id[static_cast<std::size_t>(i)];

@@ -124,7 +124,19 @@ ModelSpec vicsek_spec() {
           .parameters =
               {
                   // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source
-                  {"speed", "v0", {1, -1}, {0.03, 0.001, 10}, {1, 0.1, 4}, extent, true, true, "", "constant speed", "1995, text", false, {},
+                  {"speed",
+                   "v0",
+                   {1, -1},
+                   {0.03, 0.001, 10},
+                   {1, 0.1, 4},
+                   extent,
+                   true,
+                   true,
+                   "",
+                   "constant speed",
+                   "1995, text",
+                   false,
+                   {},
                    Parameter::Shown::speed},
                   {"radius", "r", {1, 0}, {1, 0.01, 100}, {1.5, 0.1, 10}, spacing, true, true, "", "radius of perception", "1995, text"},
                   {"eta",

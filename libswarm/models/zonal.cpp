@@ -18,8 +18,8 @@
 // orientation and attraction the zone with more agents weighs more. Behind its back an agent is blind to orientation and attraction
 // within the angle `blind` (2002: 90°; thesis: none).
 //
-// That is a map, with step length delta = speed tau and largest turn theta_m = turning tau: half the tau is another model, and simulating in
-// finer steps changes nothing, since decisions and their random numbers belong to multiples of tau. A step longer than tau holds one
+// That is a map, with step length delta = speed tau and largest turn theta_m = turning tau: half the tau is another model, and simulating
+// in finer steps changes nothing, since decisions and their random numbers belong to multiples of tau. A step longer than tau holds one
 // decision only, so in fits a tau below the recording's frame interval is that interval.
 #include <algorithm>
 #include <cmath>
@@ -131,7 +131,19 @@ ModelSpec zonal_spec() {  // NOLINT(readability-function-size): a table
           .parameters =
               {
                   // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source
-                  {"speed", "s", {1, -1}, {3, 0.01, 100}, {1, 0.1, 4}, extent, true, true, "", "constant speed", "2002, Table 1", false, {},
+                  {"speed",
+                   "s",
+                   {1, -1},
+                   {3, 0.01, 100},
+                   {1, 0.1, 4},
+                   extent,
+                   true,
+                   true,
+                   "",
+                   "constant speed",
+                   "2002, Table 1",
+                   false,
+                   {},
                    Parameter::Shown::speed},
                   {"turning",
                    "θ",

@@ -238,7 +238,7 @@ TEST(Energy, ConstantMetricsAreUndefined) {
 TEST(Energy, SpreadIsFlooredAtOnePercentOfTheMean) {
   const std::vector<double> narrow = {99.99, 100.01};
   const Target target(all(narrow), {});
-  EXPECT_DOUBLE_EQ(target.axis(0).width, 0.1);  // 0.1 of 1 % of 100, not of 0.01
+  EXPECT_DOUBLE_EQ(target.axis(0).width, 0.1);         // 0.1 of 1 % of 100, not of 0.01
   EXPECT_DOUBLE_EQ(target.axis(0).lower, 100 - 5.05);  // 100 lies in the middle of its bin
   EXPECT_DOUBLE_EQ(target.recording()[0].moments.sd(), 100.01 - 100);
 }

@@ -310,7 +310,7 @@ TEST(Compare, ASpeedThatHardlyVariesIsFound) {
   auto options = tiny({"rvo"});
   options.budget = {"small", {16, 12, 1}, {6, 4, 2}, 2, 2, 1};
   options.laws = 9;
-  options.conditions.steps = 10;  // as filmed
+  options.conditions.steps = 10;             // as filmed
   options.requests.set["max_speed"] = 1500;  // where the search starts: the default would be the recorded speed, which is the answer
   options.requests.bounds["max_speed"] = {20, 2000};
   const FitResult fit = compare(recording, options).models.front();

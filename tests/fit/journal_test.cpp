@@ -81,7 +81,9 @@ TEST_F(JournalTest, KeysTellModelsParametersAndSeedsApart) {
   const std::vector<Rng> one{{7}}, two{{7}, {8}};
   const auto first = Journal::key("a", 1, p, one);
   EXPECT_EQ(first, Journal::key("a", 1, p, one));
-  for (const auto& other : {Journal::key("b", 1, p, one), Journal::key("a", 1, q, one), Journal::key("a", 1, p, two), Journal::key("a", 2, p, one)}) EXPECT_NE(first, other);
+  for (const auto& other :
+       {Journal::key("b", 1, p, one), Journal::key("a", 1, q, one), Journal::key("a", 1, p, two), Journal::key("a", 2, p, one)})
+    EXPECT_NE(first, other);
 }
 
 TEST_F(JournalTest, TouchesNothingBeforeTheFirstOutcome) {

@@ -178,7 +178,7 @@ TEST(Refutations, HardlyEverOfTheTruth) {
       const auto truth = varied(model, planted_parameters(model, scales), scales, 2, seed);
       const Tracks recording = planted_recording(model, truth, film, scales, seed);
       ConditionOptions options;
-      options.step_scales = scales;
+      options.steps = 10;  // as filmed
       const Conditions conditions = make_conditions(recording, options);
       const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
       const Objective objective(model, conditions, target);

@@ -129,7 +129,18 @@ void add_facts(Comparison& c) {
             131,         41,
             213,         {"3 duplicated rows were dropped"}};
   ObservationFacts& o = c.observation;
-  o = {"recorded", "open", 0, "estimate", {0.31, 0.29, 0.52}, true, 0, "difference", {0.02, 0.67, 0.21, 0.74, 0.78, 0.01, 0.11}, {}, {}};
+  o = {"recorded",
+       "open",
+       0,
+       "estimate",
+       {0.31, 0.29, 0.52},
+       true,
+       {0.01, 0.01, 0.01},
+       0,
+       "difference",
+       {0.02, 0.67, 0.21, 0.74, 0.78, 0.01, 0.11},
+       {},
+       {}};
   for (std::size_t m = 0; m < kMetrics; ++m) o.used[m] = m != kAngularAcceleration && m != kJerk;
   for (const std::size_t m : {kAngularAcceleration, kJerk}) o.why_not[m] = "it is constant or undefined in the recording";
   o.drowned[kAcceleration] = true;

@@ -93,6 +93,14 @@ TEST(KeptFixed, OnceForAllModelsThatShareIt) {
   EXPECT_EQ(kept_fixed(c), "");
 }
 
+TEST(Words, StepsPerFrameOfEveryModel) {
+  Comparison c = in_groups({1, 2, 3, 3});
+  c.models[0].steps = 4;
+  EXPECT_EQ(steps_taken(c), "b, c and d 1; a 4");
+  c.models[2].map = true;
+  EXPECT_EQ(steps_taken(c), "b and d 1; a 4; c decides once per frame");
+}
+
 TEST(Headline, SaysWhoIsFirstWhereNobodyWasFitted) {
   Comparison c = in_groups({1, 2});
   c.hold_out = {true, 1, 240, 261, 500};

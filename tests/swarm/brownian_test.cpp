@@ -24,7 +24,8 @@ Lane lane_with(const Made& made, const Values& values, Index agents = 0, double 
   return lane;
 }
 
-// One step without noise: the acceleration of each agent. Forces are taken in the middle of the step, so it is short: kShort of a value at most.
+// One step without noise: the acceleration of each agent. Forces are taken in the middle of the step, so it is short: kShort of a value at
+// most.
 constexpr double kShort = 1e-4;
 Rows acceleration(const std::string& model, const std::vector<std::pair<Array3d, Array3d>>& agents, Values values, double dt = 1e-6) {
   values["D"] = 0;

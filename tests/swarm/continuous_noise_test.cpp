@@ -60,8 +60,8 @@ TEST(ContinuousNoise, LiteralKicksAreNotContinuous) {
                                       {{"gamma", 0}, {"lambda_literal", 10}}, 1);
   EXPECT_NEAR(s.variance, 1, 0.03);  // 10 = 1 / sqrt(dt)
   EXPECT_NEAR(s.correlation, 0, 0.02);
-  EXPECT_TRUE(parse_model("bswarm[noise=white,noise_scaling=literal]").spec->is_map(
-      parse_model("bswarm[noise=white,noise_scaling=literal]").options));
+  EXPECT_TRUE(parse_model("bswarm[noise=white,noise_scaling=literal]")
+                  .spec->is_map(parse_model("bswarm[noise=white,noise_scaling=literal]").options));
   EXPECT_FALSE(parse_model("bswarm[noise=white]").spec->is_map(parse_model("bswarm[noise=white]").options));
   EXPECT_FALSE(parse_model("bswarm[noise_scaling=literal]").spec->is_map(parse_model("bswarm[noise_scaling=literal]").options));
 }

@@ -22,7 +22,8 @@ Matrix3d of(const Matrix& m) {
 Matrix3d covariance(const LinearNoise<3>& step) { return of(step.draw) * of(step.draw).transpose(); }
 
 // A damped oscillator driven by noise with a memory, as in langevin.cpp: stiff, soft, with a memory far shorter than a step.
-const Matrix kDrifts[] = {{{{0, 1, 0}, {-5, -2, 1}, {0, 0, -10}}}, {{{0, 1, 0}, {0, -0.1, 1}, {0, 0, -0.5}}}, {{{0, 1, 0}, {-40, -9, 1}, {0, 0, -900}}}};
+const Matrix kDrifts[] = {
+    {{{0, 1, 0}, {-5, -2, 1}, {0, 0, -10}}}, {{{0, 1, 0}, {0, -0.1, 1}, {0, 0, -0.5}}}, {{{0, 1, 0}, {-40, -9, 1}, {0, 0, -900}}}};
 
 // Eigen's matrix exponential is an implementation of its own (Padé approximants; Higham 2005).
 TEST(LinearNoise, PropagatorIsTheMatrixExponential) {
@@ -33,8 +34,8 @@ TEST(LinearNoise, PropagatorIsTheMatrixExponential) {
     }
 }
 
-// Van Loan 1978: the covariance out of one exponential of twice the size. That is exact to eight digits only, and to none where a step is many
-// times as long as the shortest memory: the exponential of minus the drift is then astronomical.
+// Van Loan 1978: the covariance out of one exponential of twice the size. That is exact to eight digits only, and to none where a step is
+// many times as long as the shortest memory: the exponential of minus the drift is then astronomical.
 TEST(LinearNoise, CovarianceIsThatOfVanLoan) {
   for (const Matrix& a : {kDrifts[0], kDrifts[1]})
     for (const double dt : {1e-3, 0.04}) {
