@@ -57,6 +57,7 @@ const std::vector<Library> kLibraries{
     {"toml++/", {"libswarm", "fit", "cli"}, false},
     {"CLI/", {"cli"}, false},
     {"Random123/", {"tests"}, false},
+    {"unsupported/Eigen/", {"tests"}, false},
     {"gtest/", {"tests"}, true},
     {"gmock/", {"tests"}, true},
     {"benchmark/", {"bench"}, true},

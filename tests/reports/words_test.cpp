@@ -96,9 +96,9 @@ TEST(KeptFixed, OnceForAllModelsThatShareIt) {
 TEST(Words, StepsPerFrameOfEveryModel) {
   Comparison c = in_groups({1, 2, 3, 3});
   c.models[0].steps = 4;
-  EXPECT_EQ(steps_taken(c), "b, c and d 1; a 4");
+  EXPECT_EQ(steps_taken(c), "b, c and d 2; a 4");
   c.models[2].map = true;
-  EXPECT_EQ(steps_taken(c), "b and d 1; a 4; c decides once per frame");
+  EXPECT_EQ(steps_taken(c), "b and d 2; a 4; c decides once per frame");
 }
 
 TEST(Headline, SaysWhoIsFirstWhereNobodyWasFitted) {
