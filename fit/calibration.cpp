@@ -55,9 +55,10 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
   if (space_.dimensions() > 0) {
     std::int64_t done = 0;  // simulations of the rounds before
     if (number == 1) {
-      start_from({space_.start()});  // the table's defaults are in the recording's scales: the one candidate that is not a guess
+      try_out({space_.start()}, search_,
+              "search");  // the table's defaults are in the recording's scales: the one candidate that is not a guess
       done = scout_ahead(weighting, on_search);
-      settle(weighting);
+      settle(search_, options_.budget.search.population, "search", weighting);
     }
     const auto &wide = options_.budget.search, &narrow = options_.budget.selection;
     const auto before = evaluations_;
@@ -66,14 +67,18 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
       return on_search(done + report.evaluations * wide.replicates, -report.best);
     });
     stop_reason_ = to_string(found.stop);
+    if (number == 1) settle(search_, wide.population, "search", weighting);
     convergence_.push_back({number, evaluations_, -leaders(search_, weighting, 1, 0.0).front().cost});
     promote(search_, selection_, static_cast<std::size_t>(narrow.population), kLeadersApart, number, "select", weighting);
     search_.suggested.clear();
     done += candidates(wide, search_.stream, number) * wide.replicates;
-    explore(selection_, narrow, number, "refine", weighting,
-            [&](const GenerationReport& report) { return on_search(done + report.evaluations * narrow.replicates, -report.best); });
+    // The nearer to the recording, the smaller the differences that count: finer steps may be needed at the end, and then once more.
+    for (bool again = true; again; again = number == 1 && settle(selection_, narrow.population, "refine", weighting))
+      explore(selection_, narrow, number, "refine", weighting,
+              [&](const GenerationReport& report) { return on_search(done + report.evaluations * narrow.replicates, -report.best); });
     promote(selection_, confirmation_, kFinalists, kFinalistsApart, number, "confirm", weighting);
   } else if (confirmation_.archive.empty()) {
+    if (chooses_steps()) settle_steps(objective_, target_, {space_.parameters(Point())}, selection_.seeds);
     keep(confirmation_, Point(), objective_.evaluate(space_.parameters(Point()), confirmation_.seeds), number, "confirm");
     evaluations_ = 1;
     stop_reason_ = "nothing to search";
@@ -90,30 +95,34 @@ std::int64_t ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch
   const auto points = scout(space_, objective_, conditions_, target_, rng_.derive(Stream::posterior, 0), size,
                             [&](std::int64_t simulations) { return on = on_search(simulations, best); });
   if (!on) throw Interrupted{};
-  start_from(points);
+  try_out(points, search_, "search");
   evaluations_ += runs;
   simulations_ += runs;
   return runs;
 }
 
-void ModelSearch::start_from(const std::vector<Point>& points) {
-  const auto outcomes = simulate(search_, points, space_, objective_);
-  for (std::size_t k = 0; k < points.size(); ++k) keep(search_, points[k], outcomes[k], 1, "search");
+void ModelSearch::try_out(const std::vector<Point>& points, Round& round, const char* phase) {
+  const auto outcomes = simulate(round, points, space_, objective_);
+  for (std::size_t k = 0; k < points.size(); ++k) keep(round, points[k], outcomes[k], 1, phase);
   evaluations_ += static_cast<std::int64_t>(points.size());
 }
 
-// Where the recording is, as far as is known; what was simulated in coarser steps is simulated again.
-void ModelSearch::settle(const Weighting& weighting) {
-  if (options_.conditions.steps != 0 || space_.model().spec->is_map(space_.model().options)) return;
+bool ModelSearch::chooses_steps() const { return options_.conditions.steps == 0 && !space_.model().spec->is_map(space_.model().options); }
+
+// Chooses the time step where the recording is, as far as is known. If it is finer now, the best `most` are simulated again, and the rest
+// of what was simulated in coarser steps is forgotten.
+bool ModelSearch::settle(Round& round, int most, const char* phase, const Weighting& weighting) {
+  if (!chooses_steps()) return false;
   const int before = objective_.steps();
   std::vector<std::vector<double>> candidates;
-  for (const auto& leader : leaders(search_, weighting, kSettled, kLeadersApart)) candidates.push_back(space_.parameters(leader.x));
+  for (const auto& leader : leaders(round, weighting, kSettled, kFinalistsApart)) candidates.push_back(space_.parameters(leader.x));
   settle_steps(objective_, target_, candidates, selection_.seeds);
-  if (objective_.steps() == before) return;
+  if (objective_.steps() == before) return false;
   std::vector<Point> points;
-  for (const Archived& a : search_.archive) points.push_back(a.x);
-  search_.archive.clear();
-  start_from(points);
+  for (const auto& leader : leaders(round, weighting, static_cast<std::size_t>(most), 0.0)) points.push_back(leader.x);
+  round.archive.clear();
+  try_out(points, round, phase);
+  return true;
 }
 
 void ModelSearch::suggest(const ModelSearch& other) {

@@ -44,8 +44,9 @@ class ModelSearch {
 
  private:
   std::int64_t scout_ahead(const Weighting& weighting, const OnSearch& on_search);  // returns its simulations
-  void start_from(const std::vector<Point>& points);
-  void settle(const Weighting& weighting);
+  void try_out(const std::vector<Point>& points, Round& round, const char* phase);  // in the first pass
+  bool chooses_steps() const;
+  bool settle(Round& round, int most, const char* phase, const Weighting& weighting);  // are steps finer now?
   static Round on_seeds(const CompareOptions& options, Stream stream, int replicates);
   // The best of an archive under these weights, no two nearer than `apart` in the unit cube: by what a search minimises, or by the score.
   static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,

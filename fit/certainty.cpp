@@ -91,26 +91,26 @@ Energies mean(const std::vector<Energies>& all, std::size_t columns) {
   return out;
 }
 
-// Per column, how much farther away than its own recordings a model may be without being the worse for it: what no ranking sees, where
-// they scatter by less than that.
-Energies unseen(const std::vector<Energies>& own, double worst) {
-  Energies out(own.front().size(), 0.0);
-  for (std::size_t j = 0; j < out.size(); ++j) {
+// Energies of a model without what does not count against it: where its own recordings scatter by less than what no ranking sees, it may
+// lie farther away than they do by the rest of that.
+Energies seen(Energies raw, const std::vector<Energies>& own, double worst) {
+  for (std::size_t j = 0; j < raw.size(); ++j) {
     Moments moments;
     for (const Energies& e : own) moments.add(e[j]);
-    if (moments.count > 0) out[j] = std::max(0.0, kUnseen * worst - moments.sd());
+    const double unseen = std::max(0.0, kUnseen * worst - moments.sd());
+    if (raw[j] > moments.mean) raw[j] = std::max(moments.mean, raw[j] - unseen);
   }
-  return out;
+  return raw;
 }
 
-double goodness(const FitResult& fit, const std::vector<Energies>& own, const Weighting& weighting, double worst) {
+// missed: by how much a search misses the best parameters of each of its own recordings.
+double goodness(const FitResult& fit, const std::vector<Energies>& own, const std::vector<double>& missed, const Weighting& weighting,
+                double worst) {
   if (own.empty()) return NAN;
-  Energies raw = fit.raw_energies;
-  const Energies small = unseen(own, worst);
-  for (std::size_t j = 0; j < raw.size(); ++j) raw[j] -= small[j];
-  const double observed = cost_of(raw, weighting);
+  const double observed = cost_of(seen(fit.raw_energies, own, worst), weighting);
   if (!std::isfinite(observed)) return NAN;
-  const auto beyond = std::count_if(own.begin(), own.end(), [&](const Energies& e) { return cost_of(e, weighting) >= observed; });
+  std::ptrdiff_t beyond = 0;
+  for (std::size_t k = 0; k < own.size(); ++k) beyond += cost_of(own[k], weighting) + missed[k] >= observed;
   return static_cast<double>(1 + beyond) / static_cast<double>(1 + own.size());
 }
 
@@ -200,7 +200,10 @@ void fill_certainty(std::vector<FitResult>& models, const Laws& laws, const Targ
     Certainty& c = models[m].certainty;
     const auto own = own_energies(laws.of[m], target, pooled);
     c.own = mean(own, target.columns().size());
-    c.goodness_p = goodness(models[m], own, weighting, target.worst());
+    std::vector<double> missed;
+    for (std::size_t k = 0; k < own.size(); ++k)
+      missed.push_back(std::abs(laws.scatter[m] * laws.root.normal2(Stream::law, k, static_cast<std::uint32_t>(m))[0]));
+    c.goodness_p = goodness(models[m], own, missed, weighting, target.worst());
     c.set_p = p[m];
     c.group = groups[m];
     const auto column = static_cast<Eigen::Index>(m);

@@ -39,9 +39,10 @@ Band band_of(const Law& law, const Target& target);
 // Fills FitResult::certainty of models that are ranked. With fewer than `pooled` + 2 recordings per law, everything stays undefined.
 //
 // - goodness_p: of the recordings of its own law, the share that is as far from the model as the real one is, in the weighted energy; at
-//   least 1/(1 + recordings). The model was fitted to the real one, which lies nearer for that; a search that misses the right parameters
-//   makes it small even of a model that made the recording (docs/certainty.md). Recordings of a model without chance hardly differ: where
-//   they scatter by less than kUnseen of the worst energy, the rest of that does not count against the model.
+//   least 1/(1 + recordings). The model was fitted to the real one, which lies nearer for that, but the search misses the best
+//   parameters by some of its scatter, and would those of its own recordings; where it misses by more, p is small even for a model that
+//   made the recording (docs/certainty.md). Recordings of a model without chance hardly differ: where they scatter by less than kUnseen of
+//   the worst energy, the rest of that does not count against the model.
 // - group, set_p: by the model confidence set at 95 %.
 // - lower, upper, lead_lower, lead_upper: basic bootstrap intervals, an eighth wider since the law is fitted.
 // - own: mean over its own recordings.

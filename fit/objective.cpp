@@ -43,7 +43,8 @@ Objective::Objective(const ModelChoice& model, const Conditions& conditions, con
   const Tracks* reference = conditions.reference ? conditions.reference.get() : &recording;
   model_ = model.spec->make({recording.dims(), model.options, conditions.scales, reference});
   plan_.frame_dt = recording.dt();
-  use_steps(conditions.options.steps > 0 ? conditions.options.steps : stable_steps(model, conditions.scales, recording.dt()));
+  stable_steps_ = swarmfit::stable_steps(model, conditions.scales, recording.dt());
+  use_steps(conditions.options.steps > 0 ? conditions.options.steps : stable_steps_);
   plan_.first_frame = conditions.first_frame;
   plan_.frames = conditions.frames;
   plan_.speed_limit = kEscapeSpeed * conditions.scales.speed;

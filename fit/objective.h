@@ -41,6 +41,7 @@ class Objective {
 
   // Steps per frame: as the conditions ask for, or as few as are stable until others are set.
   int steps() const { return plan_.substeps; }
+  int stable_steps() const { return stable_steps_; }
   // Not while anything is simulated. Maps keep their one.
   void use_steps(int steps);
 
@@ -64,6 +65,7 @@ class Objective {
   ModelChoice choice_;
   std::unique_ptr<Model> model_;
   Plan plan_;
+  int stable_steps_ = 1;
 };
 
 // Replicate seeds: the same for every model and candidate of a run.

@@ -13,7 +13,7 @@ namespace swarmfit {
 namespace {
 
 constexpr double kAtBound = 0.01;  // share of the searched axis that counts as being on its bound
-constexpr double kLittle = 0.02, kDeviations = 3;
+constexpr double kLittle = 0.005, kDeviations = 3;
 
 // The request for one parameter of one model: the fullest name wins.
 template <class Value>

@@ -6,7 +6,6 @@
 namespace swarmfit {
 namespace {
 
-constexpr int kMostDoublings = 4;
 constexpr double kStandardErrors = 3;
 constexpr double kSlight = 0.1;  // of an energy: a model that is far from the recording does not come nearer by that
 
@@ -43,7 +42,7 @@ void settle_steps(Objective& objective, const Target& target, const std::vector<
   };
   int steps = objective.steps();
   auto coarse = outcomes(steps);
-  for (int k = 0; k < kMostDoublings; ++k) {
+  while (2 * steps <= kMostSteps * objective.stable_steps()) {
     auto fine = outcomes(2 * steps);
     if (same(coarse, fine)) break;
     steps *= 2;

@@ -17,7 +17,8 @@ namespace swarmfit {
 bool same_energies(const Outcome& one, const Outcome& other, const Target& target);
 
 // The fewest steps, from as many as the objective has on by doubling, at which one more doubling changes no energy of any of these
-// candidates on these seeds; sixteen times as many at most. The objective is left with them.
+// candidates on these seeds; kMostSteps times as many as are stable at most. The objective is left with them.
+inline constexpr int kMostSteps = 16;
 void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
                   std::span<const Rng> seeds);
 

@@ -60,7 +60,7 @@ using Energies = PerColumn<double>;  // NaN: undefined
 
 using Densities = PerColumn<std::vector<double>>;  // discrete PDFs; empty: no samples
 
-inline constexpr double kUnseen = 1.0 / 400;  // of the worst energy: differences that no ranking sees
+inline constexpr double kUnseen = 1.0 / 200;  // of the worst energy: differences that no ranking sees
 
 inline constexpr double kMostMisplaced = 7;  // Target::misplacement: about 1100 standard deviations off
 

@@ -63,9 +63,9 @@ TEST(SearchSpace, AConstantSpeedIsSearchedAmongRecordedOnes) {
       const std::size_t p = row(model, "speed");
       return std::pair{space.parameters(Point::Zero(space.dimensions()))[p], space.parameters(Point::Ones(space.dimensions()))[p]};
     };
-    EXPECT_NEAR(range(0).first, 200 * std::exp(-0.02), 1e-9) << name;
-    EXPECT_NEAR(range(0).second, 200 * std::exp(0.02), 1e-9) << name;
-    EXPECT_NEAR(range(0.1).second, 200 * std::exp(0.32), 1e-9) << name;
+    EXPECT_NEAR(range(0).first, 200 * std::exp(-0.005), 1e-9) << name;
+    EXPECT_NEAR(range(0).second, 200 * std::exp(0.005), 1e-9) << name;
+    EXPECT_NEAR(range(0.1).second, 200 * std::exp(0.305), 1e-9) << name;
     EXPECT_EQ(range(1).second, 4 * 200) << name;  // as the table says
   }
   ParameterRequests requests;

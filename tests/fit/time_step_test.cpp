@@ -82,8 +82,8 @@ TEST(TimeStep, SameEnergies) {
     }
     return o;
   };
-  EXPECT_TRUE(same_energies(outcome(1, 0), outcome(1.04, 0), any.target)) << "below 1/400 of 20";
-  EXPECT_FALSE(same_energies(outcome(0.3, 0), outcome(0.36, 0), any.target));
+  EXPECT_TRUE(same_energies(outcome(1, 0), outcome(1.09, 0), any.target)) << "below 1/200 of 20";
+  EXPECT_FALSE(same_energies(outcome(0.3, 0), outcome(0.41, 0), any.target));
   EXPECT_TRUE(same_energies(outcome(10, 0), outcome(10.9, 0), any.target)) << "a tenth of what is far away";
   EXPECT_FALSE(same_energies(outcome(10, 0), outcome(11.2, 0), any.target));
   // se = 0.5 / sqrt(3) each: three of the difference are 1.2
