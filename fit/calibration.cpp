@@ -55,10 +55,11 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
   if (space_.dimensions() > 0) {
     std::int64_t done = 0;  // simulations of the rounds before
     if (number == 1) {
-      try_out({space_.start()}, search_,
-              "search");  // the table's defaults are in the recording's scales: the one candidate that is not a guess
+      // The table's defaults are in the recording's scales: the one candidate that is not a guess.
+      try_out({space_.start()}, search_, "search");
+      ++evaluations_;
       done = scout_ahead(weighting, on_search);
-      settle(search_, options_.budget.search.population, "search", weighting);
+      settle(search_, options_.budget.search.population, weighting);
     }
     const auto &wide = options_.budget.search, &narrow = options_.budget.selection;
     const auto before = evaluations_;
@@ -67,13 +68,13 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
       return on_search(done + report.evaluations * wide.replicates, -report.best);
     });
     stop_reason_ = to_string(found.stop);
-    if (number == 1) settle(search_, wide.population, "search", weighting);
+    if (number == 1) settle(search_, wide.population, weighting);
     convergence_.push_back({number, evaluations_, -leaders(search_, weighting, 1, 0.0).front().cost});
     promote(search_, selection_, static_cast<std::size_t>(narrow.population), kLeadersApart, number, "select", weighting);
     search_.suggested.clear();
     done += candidates(wide, search_.stream, number) * wide.replicates;
     // The nearer to the recording, the smaller the differences that count: finer steps may be needed at the end, and then once more.
-    for (bool again = true; again; again = number == 1 && settle(selection_, narrow.population, "refine", weighting))
+    for (bool again = true; again; again = number == 1 && settle(selection_, narrow.population, weighting))
       explore(selection_, narrow, number, "refine", weighting,
               [&](const GenerationReport& report) { return on_search(done + report.evaluations * narrow.replicates, -report.best); });
     promote(selection_, confirmation_, kFinalists, kFinalistsApart, number, "confirm", weighting);
@@ -96,7 +97,7 @@ std::int64_t ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch
                             [&](std::int64_t simulations) { return on = on_search(simulations, best); });
   if (!on) throw Interrupted{};
   try_out(points, search_, "search");
-  evaluations_ += runs;
+  evaluations_ += runs + static_cast<std::int64_t>(points.size());
   simulations_ += runs;
   return runs;
 }
@@ -104,14 +105,13 @@ std::int64_t ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch
 void ModelSearch::try_out(const std::vector<Point>& points, Round& round, const char* phase) {
   const auto outcomes = simulate(round, points, space_, objective_);
   for (std::size_t k = 0; k < points.size(); ++k) keep(round, points[k], outcomes[k], 1, phase);
-  evaluations_ += static_cast<std::int64_t>(points.size());
 }
 
 bool ModelSearch::chooses_steps() const { return options_.conditions.steps == 0 && !space_.model().spec->is_map(space_.model().options); }
 
 // Chooses the time step where the recording is, as far as is known. If it is finer now, the best `most` are simulated again, and the rest
-// of what was simulated in coarser steps is forgotten.
-bool ModelSearch::settle(Round& round, int most, const char* phase, const Weighting& weighting) {
+// of what was simulated in coarser steps is forgotten; candidates count once.
+bool ModelSearch::settle(Round& round, int most, const Weighting& weighting) {
   if (!chooses_steps()) return false;
   const int before = objective_.steps();
   std::vector<std::vector<double>> candidates;
@@ -121,7 +121,7 @@ bool ModelSearch::settle(Round& round, int most, const char* phase, const Weight
   std::vector<Point> points;
   for (const auto& leader : leaders(round, weighting, static_cast<std::size_t>(most), 0.0)) points.push_back(leader.x);
   round.archive.clear();
-  try_out(points, round, phase);
+  try_out(points, round, "steps");
   return true;
 }
 

@@ -46,7 +46,7 @@ class ModelSearch {
   std::int64_t scout_ahead(const Weighting& weighting, const OnSearch& on_search);  // returns its simulations
   void try_out(const std::vector<Point>& points, Round& round, const char* phase);  // in the first pass
   bool chooses_steps() const;
-  bool settle(Round& round, int most, const char* phase, const Weighting& weighting);  // are steps finer now?
+  bool settle(Round& round, int most, const Weighting& weighting);  // are steps finer now?
   static Round on_seeds(const CompareOptions& options, Stream stream, int replicates);
   // The best of an archive under these weights, no two nearer than `apart` in the unit cube: by what a search minimises, or by the score.
   static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,

@@ -241,7 +241,7 @@ struct FitResult {
 struct HistoryRow {
   std::size_t model;  // index into the order in which models were named
   int pass;
-  std::string phase;      // "search"; "select" and "refine", on seeds of their own; "confirm" and "final", each on others
+  std::string phase;      // "search"; "select" and "refine", on seeds of their own; "steps": again, in finer steps; "confirm", "final"
   std::vector<double> x;  // searched parameters, physical units, in table order
   Energies raw{};
   int replicates = 0;  // in these energies: all of the phase, or only the first if it was given up
