@@ -58,6 +58,10 @@ void add_conditions(CLI::App& app, FitArguments& a) {
       ->check(CLI::PositiveNumber);
   app.add_option("--obs-noise", a.observation_error,
                  "localisation error put on simulated positions: estimate (default), or a value in length units");
+  app.add_option(
+      "--steps", a.steps,
+      "simulation steps per frame: auto (default), as many per model as it takes until half the step changes no energy; fewest, as "
+      "few as are stable; or a number. Models that decide once per frame take one");
 }
 
 void add_fit(CLI::App& app, FitArguments& a) {
@@ -105,10 +109,6 @@ void add_fit(CLI::App& app, FitArguments& a) {
                  "how several simulations of a model are compared with the recording: by the energy score (proper, default), or as one "
                  "pooled distribution, as published (pooled)")
       ->check(CLI::IsMember({"proper", "pooled"}));
-  app.add_option(
-      "--steps", a.steps,
-      "simulation steps per frame: auto (default), as many per model as it takes until half the step changes no energy; fewest, as "
-      "few as are stable; or a number. Models that decide once per frame take one");
   app.add_option("--lags", a.lags,
                  "measure motion over this many frames, each lag as metrics of its own: 1,4,16; or auto (default), which adds to 1 the "
                  "shortest lag at which no metric of motion is past the error limit");

@@ -130,7 +130,7 @@ std::string letter_of(int group) { return group > 0 ? std::string(1, static_cast
 }  // namespace
 
 Headline headline(const Comparison& c) {
-  const Headline models = of_models(c);
+  Headline models = of_models(c);
   const bool forgets = c.skill.memory_p > kAlpha;
   if (models.verdict == Verdict::none || (!forgets && !c.skill.walk_suffices)) return models;
   const std::string answer = forgets ? "The recording moves like a random walk made of its own steps."

@@ -73,7 +73,7 @@ class Langevin : public Model {
     constexpr Stream streams[] = {Stream::noise, Stream::noise_path, Stream::noise_path_2};
     for (std::size_t k = 0; k < 3; ++k) buffers.noise[k].draw(c.rng, streams[k], c.tick, now.id);
     const Array3d centre = centre_.in(world.bounds);
-    const auto& [keep, draw] = buffers.transition;
+    const auto &keep = buffers.transition.keep, &draw = buffers.transition.draw;
     for_each_agent(now.size(), [&](Index i, std::size_t) {
       const Array3d here = now.pos.row(i).transpose(), x = world.bounds.separation(centre, here);
       const Array3d state[] = {x, now.vel.row(i).transpose(), now.own.row(i).transpose()};

@@ -106,7 +106,7 @@ class Vicsek : public Model {
 
 }  // namespace
 
-ModelSpec vicsek_spec() {
+ModelSpec vicsek_spec() {  // NOLINT(readability-function-size): a table
   using enum Parameter::Length;
   constexpr double circle = 2 * std::numbers::pi;
   return {.name = "vicsek",
