@@ -71,11 +71,11 @@ void add_fit(CLI::App& app, FitArguments& a) {
   add_reading(app, a.data);
   app.add_option("-m,--model", a.models, "models, comma-separated, with settings in brackets: bswarm,boids,bswarm[noise=white]");
   app.add_option("-o,--out", a.out, "run directory; swarmfit-<name of the data> if not given");
-  app.add_option("--protocol", a.protocol,
-                 "default, or ren2016, the paper's literal choices: z-scores of each set by itself, no localisation error, no rounding, "
-                 "the fewest steps, all seven "
-                 "metrics, lag 1, the bare range for p2, pooled simulations, searches under the last weights, up to ten passes; flags "
-                 "given beside it win")
+  app.add_option(
+         "--protocol", a.protocol,
+         "default, or ren2016, the paper's literal choices: z-scores of each set by itself, no localisation error or rounding, the "
+         "fewest steps, all seven metrics, lag 1, the bare range for p2, pooled simulations, searches under the last weights, up to "
+         "ten passes; flags given beside it win")
       ->check(CLI::IsMember({"default", "ren2016"}))
       ->capture_default_str();
   app.add_option("--budget", a.budget, "how long to search: quick, default or thorough")->capture_default_str();
