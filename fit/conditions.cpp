@@ -102,6 +102,8 @@ void require_inside(const Bounds& bounds, const Tracks& recording, const std::st
 
 }  // namespace
 
+Eigen::Array3d measurement_error(const Conditions& c) { return (c.sigma.square() + c.grid.step.square() / 12).sqrt(); }
+
 Scales natural_scales(const Tracks& recording) {
   const auto velocity = forward_velocity(recording);
   double speed = 0;

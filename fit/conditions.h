@@ -53,6 +53,9 @@ Conditions make_conditions(const Tracks& recording, const ConditionOptions& opti
 // what models are told of the recording were learned from the part that was: they may not know the answer.
 Conditions held_out_conditions(const Tracks& held_out, const Conditions& fitted);
 
+// Standard deviation of what measurement adds to positions, per axis: localisation error and rounding [unit].
+Eigen::Array3d measurement_error(const Conditions& conditions);
+
 // L, NND and V of a recording; NND is 0 when no frame has two individuals.
 Scales natural_scales(const Tracks& recording);
 

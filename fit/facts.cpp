@@ -147,7 +147,7 @@ ObservationFacts observation_facts(const Conditions& c, const Target& target, co
   facts.smoothing = c.options.smoothing;
   facts.velocity = c.options.velocity == VelocitySource::difference ? "difference" : "recorded";
   facts.independent = independent_samples(c.recording, c.metrics);
-  facts.error_share = error_share(c.recording, c.sigma, options.seed, c.metrics.lags);
+  facts.error_share = error_share(c.recording, measurement_error(c), options.seed, c.metrics.lags);
   facts.longest_lag = longest_lag(c.recording);
   const std::size_t columns = target.columns().size();
   facts.drowned = facts.used = PerColumn<bool>(columns);
@@ -213,7 +213,7 @@ std::vector<int> lags_for(const Conditions& c, const CompareOptions& options) {
   require_lags(c.recording, options.lags);
   if (!options.lags.empty()) return options.lags;
   if (c.options.velocity == VelocitySource::recorded) return {1};
-  return choose_lags(c.recording, c.sigma, options.error_limit, options.seed);
+  return choose_lags(c.recording, measurement_error(c), options.error_limit, options.seed);
 }
 
 std::vector<LagFacts> lag_facts(const Comparison& r) {
