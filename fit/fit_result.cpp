@@ -76,7 +76,7 @@ FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const 
   fit.map = model.spec->is_map(model.options);
   const Outcome halved = search.objective().evaluate(values, search.final_seeds(), 2);
   fit.half_step_energies = halved.raw;
-  fit.steps_settled = fit.map || same_energies(best.outcome, halved, target);
+  fit.steps_settled = fit.map || far_off(best.outcome, target) || same_energies(best.outcome, halved, target);
   const Tracks first = search.objective().simulate(values, search.final_seeds().front());
   const Scales seen = natural_scales(first);
   fit.film = cut(first, span.first, span.last);

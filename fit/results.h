@@ -224,7 +224,7 @@ struct FitResult {
   std::string stop_reason;
   int steps = 1;                    // per frame
   bool map = false;                 // decides once per step: the same model at another step is another one
-  bool steps_settled = true;        // half the step changes no energy by more than chance (fit/time_step.h)
+  bool steps_settled = true;        // half the step changes no energy by more than chance, or the fit is far off anyway (fit/time_step.h)
   double infeasible_avoidance = 0;  // share of final agent-steps without a collision-free velocity
   std::vector<ConvergencePoint> convergence;
   Estimate skill;                       // 1: as close as halves of the recording, 0: no closer than the null; over final replicates

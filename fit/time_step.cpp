@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/time_step.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace swarmfit {
@@ -8,6 +9,7 @@ namespace {
 
 constexpr double kStandardErrors = 3;
 constexpr double kSlight = 0.1;  // of an energy: a model that is far from the recording does not come nearer by that
+constexpr double kFar = 0.25;    // of the worst energy
 
 double squared_error(const Outcome& outcome, std::size_t column) {
   Moments single;
@@ -28,6 +30,13 @@ bool same_energies(const Outcome& one, const Outcome& other, const Target& targe
   return true;
 }
 
+bool far_off(const Outcome& outcome, const Target& target) {
+  Moments energies;
+  for (std::size_t j = 0; j < target.columns().size(); ++j)
+    if (target.defined(j)) energies.add(outcome.raw[j]);
+  return energies.mean > kFar * target.worst();
+}
+
 void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
                   std::span<const Rng> seeds) {
   const auto all = [](const std::vector<Outcome>& first) { return std::vector<bool>(first.size(), true); };
@@ -40,9 +49,13 @@ void settle_steps(Objective& objective, const Target& target, const std::vector<
       if (!same_energies(coarse[c], fine[c], target)) return false;
     return true;
   };
+  const auto most = [&](const std::vector<Outcome>& found) {
+    const bool far = std::all_of(found.begin(), found.end(), [&](const Outcome& o) { return far_off(o, target); });
+    return (far ? kFarSteps : kMostSteps) * objective.stable_steps();
+  };
   int steps = objective.steps();
   auto coarse = outcomes(steps);
-  while (2 * steps <= kMostSteps * objective.stable_steps()) {
+  while (2 * steps <= most(coarse)) {
     auto fine = outcomes(2 * steps);
     if (same(coarse, fine)) break;
     steps *= 2;

@@ -16,9 +16,14 @@ namespace swarmfit {
 // tenth of themselves?
 bool same_energies(const Outcome& one, const Outcome& other, const Target& target);
 
+// Is the mean of its energies above a quarter of the worst? Then no step brings the model to the recording.
+bool far_off(const Outcome& outcome, const Target& target);
+
 // The fewest steps, from as many as the objective has on by doubling, at which one more doubling changes no energy of any of these
-// candidates on these seeds; kMostSteps times as many as are stable at most. The objective is left with them.
+// candidates on these seeds; kMostSteps times as many as are stable at most, kFarSteps where all candidates are far off. The objective is
+// left with them.
 inline constexpr int kMostSteps = 16;
+inline constexpr int kFarSteps = 4;
 void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
                   std::span<const Rng> seeds);
 

@@ -709,7 +709,7 @@ def orca(x, v, wishes, radius, tau, h, most, reach, count):
     return new
 
 
-@truth("mm", 15, 8, 25, model="rvo", steps=2)
+@truth("mm", 15, 8, 25, model="rvo")
 def rvo(run, neighbour_distance=150.0, max_neighbours=8, radius=15.0, max_speed=200.0, time_horizon=1.0, goal_radius=150.0, goal_time=5.0,
         jitter=0.001):
     """Agents that head for goals and avoid each other.
