@@ -26,12 +26,9 @@ void fill_observation(Comparison& c) {
 
 // The same tracks so many frames later.
 Tracks later(const Tracks& tracks, std::int64_t frames) {
-  TrackColumns c;
-  c.names = tracks.names();
-  c.track.assign(tracks.track().begin(), tracks.track().end());
-  c.pos = tracks.pos();
-  for (const std::int64_t frame : tracks.frame()) c.frame.push_back(frame + frames);
-  for (const std::int64_t frame : tracks.episodes()) c.episodes.push_back(frame + frames);
+  TrackColumns c = tracks.columns();
+  for (std::int64_t& frame : c.frame) frame += frames;
+  for (std::int64_t& frame : c.episodes) frame += frames;
   return {std::move(c), tracks.meta()};
 }
 

@@ -197,16 +197,9 @@ Localisation estimate_localisation(const Tracks& tracks) {
 Tracks with_error(const Tracks& tracks, const Eigen::Array3d& sigma, std::uint64_t seed) {
   if (tracks.rows() == 0) return tracks;
   const Rng rng{seed};
-  const auto n = static_cast<std::size_t>(tracks.rows());
-  TrackColumns c;
-  c.names = tracks.names();
-  c.track.assign(tracks.track().begin(), tracks.track().end());
-  c.frame.assign(tracks.frame().begin(), tracks.frame().end());
-  c.episodes.assign(tracks.episodes().begin(), tracks.episodes().end());
-  c.pos = tracks.pos();
-  c.kind.reserve(n);
+  TrackColumns c = tracks.columns();
+  c.vel = c.acc = Rows(0, 3);
   for (Index row = 0; row < tracks.rows(); ++row) {
-    c.kind.push_back(tracks.kind(row));
     const auto k = static_cast<std::size_t>(row);
     const auto tick = static_cast<std::uint64_t>(c.frame[k]) & 0xFFFFFFFFFFFFu;
     const Eigen::Array3d normal = three_normals(rng, Stream::localisation, tick, c.track[k]);

@@ -80,18 +80,13 @@ bool moves(const Tracks& tracks, Index axis) {
 
 Tracks dithered(const Tracks& tracks, const Grid& grid) {
   constexpr Rng rng{1};
-  TrackColumns c;
-  c.names = tracks.names();
-  c.track.assign(tracks.track().begin(), tracks.track().end());
-  c.frame.assign(tracks.frame().begin(), tracks.frame().end());
-  c.episodes.assign(tracks.episodes().begin(), tracks.episodes().end());
-  c.pos = tracks.pos();
+  TrackColumns c = tracks.columns();
+  c.vel = c.acc = Rows(0, 3);
   for (Index row = 0; row < tracks.rows(); ++row) {
     const auto tick = static_cast<std::uint64_t>(row);
     const auto u = rng.uniform2(Stream::dither, tick, 0, 0);
     const double within[] = {u[0], u[1], rng.uniform(Stream::dither, tick, 0, 1)};
     for (Index axis = 0; axis < tracks.dims(); ++axis) c.pos(row, axis) += grid.step[axis] * (within[axis] - 0.5);
-    c.kind.push_back(tracks.kind(row));
   }
   return Tracks(std::move(c), tracks.meta());
 }

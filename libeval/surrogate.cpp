@@ -132,15 +132,8 @@ class Shifter {
 
  private:
   void start() {
-    const auto n = static_cast<std::size_t>(tracks_.rows());
-    out_.names = tracks_.names();
-    out_.track.resize(n);
-    out_.frame.resize(n);
-    out_.kind.resize(n);
-    out_.pos = tracks_.pos();
-    out_.vel = tracks_.vel();
-    out_.acc = tracks_.acc();
-    out_.episodes.assign(tracks_.episodes().begin(), tracks_.episodes().end());
+    out_ = tracks_.columns();
+    out_.kind.resize(static_cast<std::size_t>(tracks_.rows()));
   }
 
   std::size_t chosen_shift(const Part& part, std::size_t number) const {
@@ -209,14 +202,8 @@ void shuffle_directions(Rows& vectors, const Rng& rng, std::uint32_t draw) {
 
 // The same individuals in the same frames; positions and velocities are still to be filled in, accelerations are dropped.
 TrackColumns same_rows(const Tracks& tracks) {
-  TrackColumns out;
-  out.names = tracks.names();
-  out.track.assign(tracks.track().begin(), tracks.track().end());
-  out.frame.assign(tracks.frame().begin(), tracks.frame().end());
-  out.episodes.assign(tracks.episodes().begin(), tracks.episodes().end());
-  for (Index row = 0; row < tracks.rows(); ++row) out.kind.push_back(tracks.kind(row));
-  out.pos = tracks.pos();
-  out.vel = tracks.vel();
+  TrackColumns out = tracks.columns();
+  out.acc = Rows(0, 3);
   return out;
 }
 

@@ -62,12 +62,7 @@ Tracks smooth(const Tracks& tracks, double sigma_frames) {
     throw InputError(fmt::format("--smooth: {} is not allowed; expected a number of frames, at least 0", sigma_frames));
   if (sigma_frames == 0) return tracks;
   const auto weight = gaussian(sigma_frames);
-  TrackColumns columns;
-  columns.names = tracks.names();
-  columns.track.assign(tracks.track().begin(), tracks.track().end());
-  columns.frame.assign(tracks.frame().begin(), tracks.frame().end());
-  columns.episodes.assign(tracks.episodes().begin(), tracks.episodes().end());
-  for (Index row = 0; row < tracks.rows(); ++row) columns.kind.push_back(tracks.kind(row));
+  TrackColumns columns = tracks.columns();
   columns.pos = smoothed(tracks, tracks.pos(), weight);
   columns.vel = smoothed(tracks, tracks.vel(), weight);
   columns.acc = smoothed(tracks, tracks.acc(), weight);

@@ -68,6 +68,7 @@ class Tracks {
   double time(std::int64_t frame) const { return meta_.t0 + static_cast<double>(frame) * meta_.dt; }
   const TrackMeta& meta() const { return meta_; }
 
+  const TrackColumns& columns() const { return columns_; }  // sorted: to make other tracks from
   const Rows& pos() const { return columns_.pos; }
   const Rows& vel() const { return columns_.vel; }
   const Rows& acc() const { return columns_.acc; }

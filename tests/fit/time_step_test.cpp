@@ -91,6 +91,18 @@ TEST(TimeStep, SameEnergies) {
   EXPECT_FALSE(same_energies(outcome(1, 0.5), outcome(2.4, 0.5), any.target));
 }
 
+// A model that is nowhere near the recording is not brought there by finer steps: they cost, and change nothing.
+TEST(TimeStep, FitsFarOffAreSteppedLess) {
+  Case slow("boids", 25, 150, {{"speed", 225.0}});
+  slow.truth[0] = 900;  // everybody at four times the recorded speed, all over the place
+  const int before = slow.objective.steps();
+  const Outcome outcome = slow.objective.evaluate(slow.truth, replicate_seeds({2}, Stream::selection, 12));
+  ASSERT_TRUE(far_off(outcome, slow.target));
+  EXPECT_LE(slow.settled(), kFarSteps * before);
+  Case right("boids", 25, 150);
+  EXPECT_FALSE(far_off(right.objective.evaluate(right.truth, replicate_seeds({2}, Stream::selection, 12)), right.target));
+}
+
 // Steps that are asked for are taken, by all but maps.
 TEST(TimeStep, AsManyAsAskedFor) {
   CompareOptions options;

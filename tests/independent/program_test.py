@@ -56,6 +56,11 @@ class IndependentTruths(unittest.TestCase):
         self.assertEqual(own["n_sub"], 1)
         self.assert_found(truth, own, {"speed": 0.01, "eta": 0.05})
 
+    def test_what_may_matter_is_searched(self):
+        """The cage of these insects was kept at three times their extent: the true model was rejected."""
+        truth, _, own = self.run_truth("noise_aware", ["langevin"])
+        self.assert_found(truth, own, {"scale": 0.15, "gain": 0.25, "cage": 0.25})
+
     def test_rounding_is_part_of_the_observation(self):
         """A tenth of a millimetre is a twentieth of what is flown per frame, and most of an acceleration: longer lags tell what it was."""
         truth, results, own = self.run_truth("langevin", make="--decimals 1")

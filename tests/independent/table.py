@@ -3,9 +3,12 @@
 """Is the model that made a recording found again? Every truth against its rivals, several data seeds each, as a table.
 
     python3 table.py PROGRAM [--truths brownian,boids] [--seeds 1:10] [--budget quick] [--jobs 2] [--make '--steps 40'] [--out DIR]
+    python3 table.py PROGRAM --intervals ...
 
 A row says in how many recordings the true model is in the best group, alone there, and rejected (fit p <= .05), and the median of
-|fitted / true - 1| of every parameter. DIR keeps the recordings and results; what is in it is not computed again.
+|fitted / true - 1| of every parameter. With --intervals the true model alone is fitted, with its posterior, and the row says of every
+parameter how often it is called identified, and how often its 95 % interval holds the truth. DIR keeps the recordings and results; what
+is in it is not computed again.
 """
 import argparse
 import concurrent.futures
@@ -56,13 +59,15 @@ def compare(program, recording, models, directory, budget, seed=1, options=""):
     return json.loads(results.read_text())
 
 
-def one(program, name, seed, budget, make, options, out):
-    directory = out / budget / name / str(seed)
+def one(a, name, seed):
+    """A truth, and the result of comparing its model with its rivals or, with --intervals, of fitting it alone."""
+    directory = pathlib.Path(a.out) / a.budget / name / str(seed)
     directory.mkdir(parents=True, exist_ok=True)
-    recording, truth = make_truth(name, seed, directory, make)
+    recording, truth = make_truth(name, seed, directory, a.make)
     own = [truth["model"]] if truth["model"] else []
-    results = compare(program, recording, own + RIVALS[name], directory / "run", budget, seed, options)
-    return truth, results
+    if a.intervals:
+        return truth, compare(a.program, recording, own, directory / "intervals", a.budget, seed, "--posterior " + a.options)
+    return truth, compare(a.program, recording, own + RIVALS[name], directory / "run", a.budget, seed, a.options)
 
 
 def entry_of(results, model):
@@ -103,6 +108,20 @@ def print_row(name, cases):
     print(f"| {name} | {s['recordings']} | {s['best_group']} | {s['alone']} | {s['rejected']} | {steps} | {off} |", flush=True)
 
 
+def print_intervals(name, cases):
+    """Of every searched parameter: identified in how many recordings, and truth within the interval in how many."""
+    searched = {}
+    for truth, results in cases:
+        for parameter, found in entry_of(results, truth["model"])["parameters"].items():
+            value = truth["parameters"].get(parameter)
+            if found.get("ci") and value is not None:
+                lowest = found["lower"] if found["verdict"] == "one-sided" else found["ci"][0]  # "less than"
+                searched.setdefault(parameter, []).append((found["verdict"] == "identified", lowest <= value <= found["ci"][1]))
+    cells = [f"{parameter} {sum(i for i, _ in seen)}, {sum(w for _, w in seen)}" for parameter, seen in searched.items()]
+    off = sum(i and not w for seen in searched.values() for i, w in seen)
+    print(f"| {name} | {len(cases)} | {'; '.join(cells)} | {off} of {sum(i for seen in searched.values() for i, _ in seen)} |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
@@ -112,15 +131,20 @@ def main():
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--make", default="", help="further options of truths.py")
     parser.add_argument("--options", default="", help="further options of the program")
+    parser.add_argument("--intervals", action="store_true", help="of fits of the true model: do they hold the truth?")
     parser.add_argument("--out", default="independent")
     a = parser.parse_args()
     first, last = (int(s) for s in a.seeds.split(":"))
-    print("| truth | recordings | in the best group | alone | rejected | steps per frame | median error of fitted parameters |")
-    print("|---|---|---|---|---|---|---|", flush=True)
+    if a.intervals:
+        print("| truth | recordings | identified, interval holds the truth | identified and off |\n|---|---|---|---|", flush=True)
+    else:
+        print("| truth | recordings | in the best group | alone | rejected | steps per frame | median error of fitted parameters |")
+        print("|---|---|---|---|---|---|---|", flush=True)
     with concurrent.futures.ThreadPoolExecutor(a.jobs) as pool:
         for name in a.truths.split(","):
-            runs = [pool.submit(one, a.program, name, seed, a.budget, a.make, a.options, pathlib.Path(a.out)) for seed in range(first, last + 1)]
-            print_row(name, [run.result() for run in runs])
+            runs = [pool.submit(one, a, name, seed) for seed in range(first, last + 1)]
+            cases = [run.result() for run in runs]
+            (print_intervals if a.intervals else print_row)(name, cases)
 
 
 if __name__ == "__main__":
