@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kStandardErrors = 3;
 constexpr double kSlight = 0.1;  // of an energy: a model that is far from the recording does not come nearer by that
-constexpr double kFar = 0.25;    // of the worst energy
+constexpr double kFar = 0.4;     // of the worst energy
 
 double squared_error(const Outcome& outcome, std::size_t column) {
   Moments single;

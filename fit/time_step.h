@@ -16,7 +16,7 @@ namespace swarmfit {
 // tenth of themselves?
 bool same_energies(const Outcome& one, const Outcome& other, const Target& target);
 
-// Is the mean of its energies above a quarter of the worst? Then no step brings the model to the recording.
+// Is the mean of its energies above two fifths of the worst? Then no step brings the model to the recording.
 bool far_off(const Outcome& outcome, const Target& target);
 
 // The fewest steps, from as many as the objective has on by doubling, at which one more doubling changes no energy of any of these

@@ -100,6 +100,7 @@ TEST(TimeStep, FitsFarOffAreSteppedLess) {
   ASSERT_TRUE(far_off(outcome, slow.target));
   EXPECT_LE(slow.settled(), kFarSteps * before);
   Case right("boids", 25, 150);
+  right.settled();
   EXPECT_FALSE(far_off(right.objective.evaluate(right.truth, replicate_seeds({2}, Stream::selection, 12)), right.target));
 }
 
