@@ -5,7 +5,7 @@
 
 #include <boost/histogram.hpp>
 
-#include "fit/plant.h"
+#include "fit/experiment/plant.h"
 #include "libeval/energy.h"
 
 namespace swarmfit {

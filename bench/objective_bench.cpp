@@ -3,9 +3,9 @@
 // the candidates of a first generation are. Items are agent-steps. Names are part/whose/agents/frames of the recording.
 #include <benchmark/benchmark.h>
 
-#include "fit/objective.h"
-#include "fit/plant.h"
-#include "fit/search_space.h"
+#include "fit/experiment/objective.h"
+#include "fit/experiment/plant.h"
+#include "fit/model_fit/search_space.h"
 
 namespace swarmfit {
 namespace {

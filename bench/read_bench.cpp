@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "libtrack/read.h"
+#include "libtrack/read/read.h"
 #include "libtrack/rng.h"
 
 namespace swarmfit {

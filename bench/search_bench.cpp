@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlopt.hpp>
 
-#include "fit/genetic.h"
+#include "fit/optimise/genetic.h"
 #include "tests/fit/test_functions.h"
 #ifdef BENCH_PAGMO
 #include <pagmo/algorithm.hpp>

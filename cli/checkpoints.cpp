@@ -6,7 +6,7 @@
 
 #include "cli/interrupt.h"
 #include "libtrack/error.h"
-#include "reports/run_directory.h"
+#include "reports/write/run_folder.h"
 
 namespace swarmfit::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "fit/checkpoint.h"
+#include "fit/store/checkpoint.h"
 
 namespace swarmfit::cli {
 

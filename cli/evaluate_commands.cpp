@@ -8,14 +8,15 @@
 #include "cli/settings.h"
 #include "cli/style.h"
 #include "cli/version.h"
-#include "fit/portrait.h"
+#include "fit/compare/portrait.h"
 #include "libeval/evaluation.h"
 #include "libeval/lags.h"
 #include "libeval/localisation.h"
 #include "libtrack/file.h"
-#include "reports/evaluation_html.h"
-#include "reports/json.h"
-#include "reports/terminal.h"
+#include "reports/comparison/json.h"
+#include "reports/comparison/ranking_text.h"
+#include "reports/recording/evaluation_html.h"
+#include "reports/recording/recording_text.h"
 
 namespace swarmfit::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "cli/settings.h"
 #include "cli/version.h"
 #include "libtrack/file.h"
-#include "reports/gallery_html.h"
+#include "reports/recording/gallery_html.h"
 
 namespace swarmfit::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "libswarm/model.h"
-#include "reports/values.h"
+#include "reports/write/list_text.h"
 
 namespace swarmfit::cli {
 

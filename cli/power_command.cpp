@@ -12,7 +12,7 @@
 #include "cli/style.h"
 #include "cli/version.h"
 #include "libtrack/error.h"
-#include "reports/power_report.h"
+#include "reports/study/power_report.h"
 
 namespace swarmfit::cli {
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "fit/compare.h"
+#include "fit/compare/compare.h"
 
 namespace swarmfit::cli {
 

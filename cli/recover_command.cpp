@@ -13,10 +13,10 @@
 #include "cli/settings.h"
 #include "cli/style.h"
 #include "cli/version.h"
-#include "fit/recovery.h"
+#include "fit/study/recovery.h"
 #include "libtrack/error.h"
-#include "reports/parameter_recovery_report.h"
-#include "reports/recovery_report.h"
+#include "reports/study/parameter_recovery_report.h"
+#include "reports/study/recovery_report.h"
 
 namespace swarmfit::cli {
 namespace {

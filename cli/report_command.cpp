@@ -14,7 +14,7 @@
 #include "cli/commands.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
-#include "reports/run_files.h"
+#include "reports/run/run_files.h"
 
 namespace swarmfit::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cli/settings.h"
-#include "fit/plant.h"
+#include "fit/experiment/plant.h"
 
 namespace swarmfit::cli {
 namespace {

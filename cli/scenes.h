@@ -8,7 +8,7 @@
 #include "cli/arguments.h"
 #include "libswarm/model.h"
 #include "libtrack/tracks.h"
-#include "reports/model_card.h"
+#include "reports/recording/model_card.h"
 
 namespace swarmfit::cli {
 

@@ -12,11 +12,11 @@
 #include <iostream>
 #include <iterator>
 
-#include "fit/plant.h"
+#include "fit/experiment/plant.h"
 #include "libeval/lags.h"
 #include "libtrack/error.h"
-#include "libtrack/read.h"
-#include "libtrack/write.h"
+#include "libtrack/read/read.h"
+#include "libtrack/write/write.h"
 
 namespace swarmfit::cli {
 namespace {

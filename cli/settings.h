@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "fit/compare.h"
+#include "fit/compare/compare.h"
 #include "libeval/energy.h"
 #include "libtrack/tracks.h"
 

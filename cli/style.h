@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "reports/text_table.h"
+#include "reports/write/text_table.h"
 
 namespace swarmfit::cli {
 

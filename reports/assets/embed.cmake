@@ -6,5 +6,5 @@ string(FIND "${text}" ")${delimiter}\"" clash)
 if(NOT clash EQUAL -1)
   message(FATAL_ERROR "${INPUT} contains the end mark of its own literal")
 endif()
-file(WRITE "${OUTPUT}" "// Generated from ${INPUT}.\n#include \"reports/assets.h\"\n\nnamespace swarmfit::assets {\n"
+file(WRITE "${OUTPUT}" "// Generated from ${INPUT}.\n#include \"reports/write/assets.h\"\n\nnamespace swarmfit::assets {\n"
                        "const std::string_view ${NAME} = R\"${delimiter}(${text})${delimiter}\";\n}  // namespace swarmfit::assets\n")

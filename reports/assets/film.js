@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Films as typed arrays: the other half of reports/film.h.
+// Films as typed arrays: the other half of reports/motion/film.h.
 
 async function inflated(base64) {
   const text = atob(base64), bytes = new Uint8Array(text.length);

@@ -7,9 +7,9 @@
 
 #include <cstdlib>
 
-#include "fit/hold_out.h"
-#include "fit/objective.h"
-#include "fit/recovery.h"
+#include "fit/compare/hold_out.h"
+#include "fit/experiment/objective.h"
+#include "fit/study/recovery.h"
 #include "libeval/lags.h"
 
 namespace swarmfit {

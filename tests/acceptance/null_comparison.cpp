@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "fit/recovery.h"
+#include "fit/study/recovery.h"
 
 namespace swarmfit {
 namespace {

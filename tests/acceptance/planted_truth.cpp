@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <functional>
 
-#include "fit/compare.h"
-#include "fit/objective.h"
+#include "fit/compare/compare.h"
+#include "fit/experiment/objective.h"
 #include "tests/fit/planted.h"
 
 namespace swarmfit {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/across.h"
+#include "fit/compare/across.h"
 
 #include <gtest/gtest.h>
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <filesystem>
 
-#include "fit/conditions.h"
-#include "fit/objective.h"
-#include "fit/plant.h"
-#include "fit/search_space.h"
-#include "libtrack/read.h"
+#include "fit/experiment/conditions.h"
+#include "fit/experiment/objective.h"
+#include "fit/experiment/plant.h"
+#include "fit/model_fit/search_space.h"
+#include "libtrack/read/read.h"
 
 namespace swarmfit {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "fit/certainty.h"
+#include "fit/compare/certainty.h"
 
 #include <gmock/gmock.h>
 #include <omp.h>
 
 #include <cmath>
 
-#include "fit/race.h"
-#include "fit/recovery.h"
+#include "fit/model_fit/race.h"
+#include "fit/study/recovery.h"
 #include "tests/fit/planted.h"
 
 namespace swarmfit {

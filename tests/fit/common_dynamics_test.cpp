@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/common_dynamics.h"
+#include "fit/compare/common_dynamics.h"
 
 #include <gmock/gmock.h>
 

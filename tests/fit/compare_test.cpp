@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/compare.h"
+#include "fit/compare/compare.h"
 
 #include <gmock/gmock.h>
 #include <omp.h>
@@ -8,10 +8,10 @@
 #include <cmath>
 #include <map>
 
-#include "fit/facts.h"
-#include "fit/objective.h"
-#include "fit/recovery.h"
-#include "fit/screening.h"
+#include "fit/compare/facts.h"
+#include "fit/experiment/objective.h"
+#include "fit/optimise/screening.h"
+#include "fit/study/recovery.h"
 #include "libeval/skill.h"
 #include "libtrack/error.h"
 #include "tests/fit/planted.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "fit/conditions.h"
+#include "fit/experiment/conditions.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "fit/observe.h"
-#include "fit/recovery.h"
+#include "fit/experiment/observe.h"
+#include "fit/study/recovery.h"
 #include "libswarm/world.h"
 #include "libtrack/error.h"
 #include "libtrack/kinematics.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/entry.h"
+#include "fit/experiment/entry.h"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fit/film.h"
+#include "fit/experiment/film.h"
 
 #include <gtest/gtest.h>
 
-#include "fit/compare.h"
-#include "fit/objective.h"
-#include "fit/plant.h"
+#include "fit/compare/compare.h"
+#include "fit/experiment/objective.h"
+#include "fit/experiment/plant.h"
 #include "libtrack/cut.h"
 
 namespace swarmfit {

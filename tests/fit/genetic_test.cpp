@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/genetic.h"
+#include "fit/optimise/genetic.h"
 
 #include <gmock/gmock.h>
 

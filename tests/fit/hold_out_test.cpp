@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "fit/hold_out.h"
+#include "fit/compare/hold_out.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "fit/objective.h"
-#include "fit/recovery.h"
+#include "fit/experiment/objective.h"
+#include "fit/study/recovery.h"
 #include "libtrack/error.h"
 #include "tests/fit/planted.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/journal.h"
+#include "fit/experiment/journal.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "fit/compare.h"
+#include "fit/compare/compare.h"
 #include "libtrack/error.h"
 #include "tests/fit/planted.h"
 

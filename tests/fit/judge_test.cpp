@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "fit/judge.h"
+#include "fit/compare/judge.h"
 
 #include <gmock/gmock.h>
 #include <omp.h>
 
 #include <algorithm>
 
-#include "fit/skill_warnings.h"
+#include "fit/compare/skill_warnings.h"
 #include "tests/eval/build.h"
 #include "tests/fit/planted.h"
 

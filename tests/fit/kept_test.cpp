@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/kept.h"
+#include "fit/store/kept.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "fit/parameter_recovery.h"
+#include "fit/study/parameter_recovery.h"
 
 namespace swarmfit {
 namespace {

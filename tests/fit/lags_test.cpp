@@ -8,13 +8,13 @@
 #include <cmath>
 #include <filesystem>
 
-#include "fit/across.h"
-#include "fit/compare.h"
-#include "fit/facts.h"
-#include "fit/objective.h"
+#include "fit/compare/across.h"
+#include "fit/compare/compare.h"
+#include "fit/compare/facts.h"
+#include "fit/experiment/objective.h"
 #include "libeval/localisation.h"
 #include "libtrack/error.h"
-#include "libtrack/read.h"
+#include "libtrack/read/read.h"
 #include "tests/fit/planted.h"
 
 namespace swarmfit {

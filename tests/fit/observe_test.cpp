@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/observe.h"
+#include "fit/experiment/observe.h"
 
 #include <gtest/gtest.h>
 

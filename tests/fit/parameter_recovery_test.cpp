@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/parameter_recovery.h"
+#include "fit/study/parameter_recovery.h"
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 // Small planted recordings that several tests of fit/ share.
 #pragma once
 
-#include "fit/plant.h"
+#include "fit/experiment/plant.h"
 
 namespace swarmfit::test {
 

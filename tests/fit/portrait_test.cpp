@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "fit/portrait.h"
+#include "fit/compare/portrait.h"
 
 #include <gtest/gtest.h>
 
-#include "fit/plant.h"
+#include "fit/experiment/plant.h"
 #include "libeval/metrics.h"
 #include "libtrack/error.h"
 

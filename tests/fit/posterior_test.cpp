@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/posterior.h"
+#include "fit/infer/posterior.h"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -9,8 +9,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "fit/parameter_posterior.h"
-#include "fit/run_features.h"
+#include "fit/experiment/run_features.h"
+#include "fit/model_fit/parameter_posterior.h"
 #include "tests/fit/planted.h"
 
 namespace swarmfit {

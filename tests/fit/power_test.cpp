@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/power.h"
+#include "fit/study/power.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/quadratic_model.h"
+#include "fit/optimise/quadratic_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/recovery.h"
+#include "fit/study/recovery.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "fit/genetic.h"
+#include "fit/optimise/genetic.h"
 #include "tests/fit/test_functions.h"
 
 namespace swarmfit {

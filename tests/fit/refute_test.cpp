@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "fit/refute.h"
+#include "fit/compare/refute.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "fit/objective.h"
-#include "fit/recovery.h"
+#include "fit/experiment/objective.h"
+#include "fit/study/recovery.h"
 #include "tests/eval/build.h"
 #include "tests/fit/planted.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/ridge.h"
+#include "fit/infer/ridge.h"
 
 #include <gtest/gtest.h>
 

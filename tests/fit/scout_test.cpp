@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "fit/scout.h"
+#include "fit/model_fit/scout.h"
 
 #include <gmock/gmock.h>
 #include <omp.h>
 
 #include <cmath>
 
-#include "fit/recovery.h"
+#include "fit/study/recovery.h"
 
 namespace swarmfit {
 namespace {

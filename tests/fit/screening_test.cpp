@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/screening.h"
+#include "fit/optimise/screening.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/search_space.h"
+#include "fit/model_fit/search_space.h"
 
 #include <gmock/gmock.h>
 

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <limits>
 
-#include "fit/genetic.h"
+#include "fit/optimise/genetic.h"
 #include "libtrack/error.h"
 #include "tests/fit/test_functions.h"
 

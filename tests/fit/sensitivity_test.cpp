@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/sensitivity.h"
+#include "fit/compare/sensitivity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/skill_warnings.h"
+#include "fit/compare/skill_warnings.h"
 
 #include <gmock/gmock.h>
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/genetic.h"
+#include "fit/optimise/genetic.h"
 #include "libtrack/rng.h"
 
 namespace swarmfit::testing {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "fit/time_step.h"
+#include "fit/experiment/time_step.h"
 
 #include <gtest/gtest.h>
 
-#include "fit/compare.h"
-#include "fit/recovery.h"
+#include "fit/compare/compare.h"
+#include "fit/study/recovery.h"
 #include "tests/fit/planted.h"
 
 namespace swarmfit {

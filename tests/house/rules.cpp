@@ -30,6 +30,19 @@ const std::array<Arrow, 8> kArrows{{
     {"tests", {"tests", "cli", "reports", "fit", "libswarm", "libeval", "libtrack"}},
 }};
 
+// The sub-rooms of a room, lowest first: an include within the room may only point down, or stay. "": files that lie in the room itself.
+struct SubRooms {
+  std::string_view room;
+  Names lowest_first;
+};
+
+const std::array<SubRooms, 4> kSubRooms{{
+    {"libtrack", {"", "read", "write"}},
+    {"libswarm", {"", "models"}},
+    {"fit", {"results", "store", "optimise", "infer", "experiment", "model_fit", "compare", "study"}},
+    {"reports", {"write", "draw", "motion", "comparison", "recording", "study", "run"}},
+}};
+
 struct Library {
   std::string_view prefix;  // of what stands between < and >
   Names rooms;              // empty: all
@@ -172,6 +185,25 @@ Breaches check_arrows(const Source& source) {
     else if (ours && !contains(arrow->may_include, room))
       breaches.push_back(place(source, include.line) + std::string(source.room()) + "/ may not include " + include.name);
   }
+  return breaches;
+}
+
+Breaches check_sub_rooms(const Source& source) {
+  const auto rooms = std::find_if(kSubRooms.begin(), kSubRooms.end(), [&](const SubRooms& r) { return r.room == source.room(); });
+  if (rooms == kSubRooms.end()) return {};
+  // Where a path of this room lies: 0 is the lowest sub-room; the number of them if it lies in none.
+  const auto height = [&](std::string_view path) {
+    path.remove_prefix(rooms->room.size() + 1);
+    const auto slash = path.find('/');
+    const auto sub_room = slash == std::string_view::npos ? "" : path.substr(0, slash);
+    return std::find(rooms->lowest_first.begin(), rooms->lowest_first.end(), sub_room) - rooms->lowest_first.begin();
+  };
+  const auto here = height(source.path);
+  if (here == std::ssize(rooms->lowest_first)) return {source.path + ": lies in no sub-room of " + std::string(rooms->room) + "/"};
+  Breaches breaches;
+  for (const auto& include : includes_of(source))
+    if (include.quoted && include.name.starts_with(std::string(rooms->room) + '/') && height(include.name) > here)
+      breaches.push_back(place(source, include.line) + source.path + " may not include " + include.name + ", which lies higher");
   return breaches;
 }
 

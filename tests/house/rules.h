@@ -33,6 +33,9 @@ std::string code_of(const Source&);
 // Data flows libtrack, libswarm and libeval, fit, reports, cli; an include may only point against that, and no room includes a program.
 Breaches check_arrows(const Source&);
 
+// Within a room the sub-rooms are floors: an include may only point down, or stay. Since every include obeys, so does every chain of them.
+Breaches check_sub_rooms(const Source&);
+
 // A library may be included only where its row of the table says, and a heavy one never in a header.
 Breaches check_libraries(const Source&);
 

@@ -36,8 +36,8 @@ TEST(Arrows, PointOnlyFromRightToLeft) {
   EXPECT_THAT(check_arrows(source("libeval/a.cpp", "\n#include \"libswarm/state.h\"\n")),
               ElementsAre("libeval/a.cpp:2: libeval/ may not include libswarm/state.h"));
   EXPECT_THAT(check_arrows(source("libtrack/a.h", "#include \"libswarm/state.h\"\n")), ElementsAre(HasSubstr("may not include")));
-  EXPECT_THAT(check_arrows(source("libswarm/a.h", "#include \"fit/genetic.h\"\n")), ElementsAre(HasSubstr("may not include")));
-  EXPECT_THAT(check_arrows(source("fit/a.h", "#include \"reports/html.h\"\n")), ElementsAre(HasSubstr("may not include")));
+  EXPECT_THAT(check_arrows(source("libswarm/a.h", "#include \"fit/optimise/genetic.h\"\n")), ElementsAre(HasSubstr("may not include")));
+  EXPECT_THAT(check_arrows(source("fit/a.h", "#include \"reports/comparison/html.h\"\n")), ElementsAre(HasSubstr("may not include")));
   EXPECT_THAT(check_arrows(source("reports/a.cpp", "#include \"libswarm/model.h\"\n")), ElementsAre(HasSubstr("may not include")));
   EXPECT_THAT(check_arrows(source("cli/a.cpp", "#include \"tests/x.h\"\n")), ElementsAre(HasSubstr("may not include")));
 }
@@ -45,7 +45,17 @@ TEST(Arrows, PointOnlyFromRightToLeft) {
 TEST(Arrows, IncludesAreWrittenFromTheRoot) {
   EXPECT_THAT(check_arrows(source("fit/a.cpp", "#include \"genetic.h\"\n")), ElementsAre(HasSubstr("must be written")));
   EXPECT_THAT(check_arrows(source("fit/a.cpp", "#include \"fit/../cli/x.h\"\n")), ElementsAre(HasSubstr("must be written")));
-  EXPECT_THAT(check_arrows(source("fit/a.cpp", "#include <fit/genetic.h>\n")), ElementsAre(HasSubstr("must be written")));
+  EXPECT_THAT(check_arrows(source("fit/a.cpp", "#include <fit/optimise/genetic.h>\n")), ElementsAre(HasSubstr("must be written")));
+}
+
+TEST(Arrows, WithinARoomTheyPointDown) {
+  EXPECT_THAT(check_sub_rooms(source("fit/compare/a.cpp", "#include \"fit/compare/b.h\"\n#include \"fit/infer/c.h\"\n")), IsEmpty());
+  EXPECT_THAT(check_sub_rooms(source("fit/infer/a.h", "#include \"fit/compare/b.h\"\n")), ElementsAre(HasSubstr("lies higher")));
+  EXPECT_THAT(check_sub_rooms(source("libtrack/a.cpp", "#include \"libtrack/read/b.h\"\n")), ElementsAre(HasSubstr("lies higher")));
+  EXPECT_THAT(check_sub_rooms(source("libswarm/models/a.cpp", "#include \"libswarm/model.h\"\n")), IsEmpty());
+  EXPECT_THAT(check_sub_rooms(source("reports/a.cpp", "")), ElementsAre(HasSubstr("no sub-room")));
+  EXPECT_THAT(check_sub_rooms(source("fit/attic/a.cpp", "")), ElementsAre(HasSubstr("no sub-room")));
+  EXPECT_THAT(check_sub_rooms(source("cli/a.cpp", "#include \"fit/study/b.h\"\n")), IsEmpty());
 }
 
 TEST(Arrows, NewRoomsAreAQuestion) { EXPECT_THAT(check_arrows(source("utils/a.cpp", "")), ElementsAre(HasSubstr("no room"))); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/across_report.h"
+#include "reports/comparison/across_report.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/axis.h"
+#include "reports/draw/axis.h"
 
 #include <gmock/gmock.h>
 

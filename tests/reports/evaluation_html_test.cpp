@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "reports/evaluation_html.h"
+#include "reports/recording/evaluation_html.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "reports/evaluation_words.h"
+#include "reports/recording/evaluation_words.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/figures.h"
+#include "reports/comparison/figures.h"
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <regex>
 
-#include "reports/svg.h"
+#include "reports/draw/svg.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/film.h"
+#include "reports/motion/film.h"
 
 #include <gmock/gmock.h>
 #include <zlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/html.h"
+#include "reports/comparison/html.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "libtrack/rng.h"
-#include "reports/html_table.h"
+#include "reports/write/html_table.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

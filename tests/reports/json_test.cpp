@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/json.h"
+#include "reports/comparison/json.h"
 
 #include <gmock/gmock.h>
 

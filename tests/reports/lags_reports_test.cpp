@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "reports/html.h"
-#include "reports/json.h"
-#include "reports/paper_tables.h"
-#include "reports/tables.h"
-#include "reports/terminal.h"
-#include "reports/text_table.h"
-#include "reports/words.h"
+#include "reports/comparison/html.h"
+#include "reports/comparison/json.h"
+#include "reports/comparison/paper_tables.h"
+#include "reports/comparison/ranking_text.h"
+#include "reports/comparison/tables.h"
+#include "reports/comparison/words.h"
+#include "reports/write/text_table.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "reports/methods.h"
+#include "reports/comparison/methods.h"
 
 #include <gmock/gmock.h>
 
-#include "reports/html.h"
+#include "reports/comparison/html.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/number.h"
+#include "reports/write/number.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/paper_tables.h"
+#include "reports/comparison/paper_tables.h"
 
 #include <gmock/gmock.h>
 

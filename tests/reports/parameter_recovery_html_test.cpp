@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/parameter_recovery_html.h"
+#include "reports/study/parameter_recovery_html.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "libtrack/file.h"
-#include "reports/parameter_recovery_report.h"
+#include "reports/study/parameter_recovery_report.h"
 
 namespace swarmfit {
 namespace {

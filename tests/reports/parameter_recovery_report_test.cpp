@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/parameter_recovery_report.h"
+#include "reports/study/parameter_recovery_report.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/picture.h"
+#include "reports/draw/picture.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/power_html.h"
+#include "reports/study/power_html.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "libtrack/file.h"
-#include "reports/power_report.h"
+#include "reports/study/power_report.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

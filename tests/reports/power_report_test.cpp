@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/power_report.h"
+#include "reports/study/power_report.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/recovery_html.h"
+#include "reports/study/recovery_html.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "libtrack/file.h"
-#include "reports/recovery_report.h"
+#include "reports/study/recovery_report.h"
 
 namespace swarmfit {
 namespace {

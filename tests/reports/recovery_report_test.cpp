@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/recovery_report.h"
+#include "reports/study/recovery_report.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/run_directory.h"
+#include "reports/run/run_directory.h"
 
 #include <gmock/gmock.h>
 
@@ -9,12 +9,13 @@
 
 #include "libtrack/error.h"
 #include "libtrack/file.h"
-#include "reports/figures.h"
-#include "reports/html.h"
-#include "reports/json.h"
-#include "reports/paper_tables.h"
-#include "reports/run_files.h"
-#include "reports/tables.h"
+#include "reports/comparison/figures.h"
+#include "reports/comparison/html.h"
+#include "reports/comparison/json.h"
+#include "reports/comparison/paper_tables.h"
+#include "reports/comparison/tables.h"
+#include "reports/run/run_files.h"
+#include "reports/write/run_folder.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/results.h"
+#include "fit/results/results.h"
 
 namespace swarmfit {
 

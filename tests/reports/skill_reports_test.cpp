@@ -6,11 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "reports/html.h"
-#include "reports/json.h"
-#include "reports/skill_tables.h"
-#include "reports/terminal.h"
-#include "reports/words.h"
+#include "reports/comparison/html.h"
+#include "reports/comparison/json.h"
+#include "reports/comparison/ranking_text.h"
+#include "reports/comparison/skill_tables.h"
+#include "reports/comparison/words.h"
+#include "reports/write/unit_text.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

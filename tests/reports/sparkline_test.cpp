@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "reports/sparkline.h"
+#include "reports/draw/sparkline.h"
+#include "reports/comparison/ranking_text.h"
+#include "reports/recording/recording_text.h"
 
 #include <gmock/gmock.h>
 
 #include <sstream>
 
 #include "libeval/summary.h"
-#include "reports/terminal.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/tables.h"
+#include "reports/comparison/tables.h"
 
 #include <gmock/gmock.h>
 

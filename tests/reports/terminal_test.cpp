@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "reports/terminal.h"
 
 #include <gmock/gmock.h>
 
@@ -7,6 +6,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "reports/comparison/ranking_text.h"
+#include "reports/recording/recording_text.h"
+#include "reports/write/list_text.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "reports/tracks_html.h"
+#include "reports/recording/tracks_html.h"
 
 #include <gmock/gmock.h>
 
-#include "reports/gallery_html.h"
+#include "reports/recording/gallery_html.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "reports/words.h"
+#include "reports/comparison/words.h"
+#include "reports/write/plain_text.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
+#include "reports/write/unit_text.h"
 #include "tests/reports/sample.h"
 
 namespace swarmfit {

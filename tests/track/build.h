@@ -4,7 +4,7 @@
 #include <string>
 
 #include "libtrack/error.h"
-#include "libtrack/read.h"
+#include "libtrack/read/read.h"
 
 namespace swarmfit {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "libtrack/frame_clock.h"
+#include "libtrack/read/frame_clock.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
-#include "libtrack/text_header.h"
+#include "libtrack/read/text_header.h"
 #include "tests/track/build.h"
 
 namespace swarmfit {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "libtrack/timestamp.h"
+#include "libtrack/read/timestamp.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "libtrack/write.h"
+#include "libtrack/write/write.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>

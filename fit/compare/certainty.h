@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// How sure is a ranking? Every fitted model makes recordings as long as the real one, and those are scored as it was: a parametric
+// bootstrap without refitting (Efron and Tibshirani 1993, section 6.5; Davison and Hinkley 1997, section 4.2).
+#pragma once
+
+#include "fit/experiment/objective.h"
+#include "fit/results/results.h"
+#include "libeval/confidence_set.h"
+#include "libeval/score.h"
+
+namespace swarmfit {
+
+// What one fitted model makes of the conditions, in single runs that no search has seen. Models of one comparison share the seeds.
+using Law = std::vector<SingleRun>;
+Law law_of(const Objective& objective, const std::vector<double>& parameters, const Rng& root, int recordings);
+
+// How exactly the searches find what they look for: per model, the standard deviation of its score between searches, from the changes of
+// the score (under the final weights) between what one calibration pass selected and the next; at least the median of all models. 0 where
+// no search was repeated. selections: per model and pass, raw energies.
+std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& selections, const Weighting& weighting);
+
+// What scores are drawn from; models in the same order throughout.
+struct Laws {
+  Law recordings;  // that are scored: those of the best model
+  std::vector<Law> of;
+  std::vector<double> scatter;
+  Rng root;  // of the errors of the searches
+};
+
+// Scores of all models, and those they get on each of the recordings: every model is represented by `pooled` other runs of its law, and has
+// missed its best parameters by a normal error of its scatter. So the draws scatter as the recording, the simulations and the searches do.
+// NaN where the recording or a score is undefined.
+ScoreDraws score_draws(const std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting,
+                       int pooled);
+
+// Where single recordings of a law lie, bin by bin; empty with fewer than 39, of which the outermost would be the ends.
+Band band_of(const Law& law, const Target& target);
+
+// Fills FitResult::certainty of models that are ranked. With fewer than `pooled` + 2 recordings per law, everything stays undefined.
+//
+// - goodness_p: of the recordings of its own law, the share that is as far from the model as the real one is, in the weighted energy; at
+//   least 1/(1 + recordings). The model was fitted to the real one, which lies nearer for that, but the search misses the best
+//   parameters by some of its scatter, and would those of its own recordings; where it misses by more, p is small even for a model that
+//   made the recording (docs/certainty.md). Recordings of a model without chance hardly differ: where they scatter by less than kUnseen of
+//   the worst energy, the rest of that does not count against the model.
+// - group, set_p: by the model confidence set at 95 %.
+// - lower, upper, lead_lower, lead_upper: basic bootstrap intervals, an eighth wider since the law is fitted.
+// - own: mean over its own recordings.
+void fill_certainty(std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting, int pooled);
+
+}  // namespace swarmfit

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "fit/compare/common_dynamics.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+std::vector<std::string> searched_parameters(const ModelChoice& model, const Scales& scales, const ParameterRequests& requests) {
+  std::vector<std::string> names;
+  const SearchSpace space(model, scales, requests);
+  for (const std::size_t p : space.searched()) names.emplace_back(model.spec->parameters[p].name);
+  return names;
+}
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+std::vector<std::string> shared_parameters(const std::vector<ModelChoice>& models, const Scales& scales,
+                                           const ParameterRequests& requests) {
+  std::vector<std::string> shared;
+  for (const ModelChoice& model : models) {
+    const auto own = searched_parameters(model, scales, requests);
+    if (&model == &models.front()) shared = own;
+    std::erase_if(shared, [&](const std::string& name) { return !holds(own, name); });
+  }
+  return shared;
+}
+
+CompareOptions with_common_dynamics(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress,
+                                    Journal* journal) {
+  const ModelSpec* spec = options.models.front().spec;
+  for (const ModelChoice& model : options.models)
+    if (model.spec != spec)
+      throw InputError(fmt::format("--common: {} and {} are different models; expected settings of one, as in --preset noise",
+                                   options.models.front().name, model.name));
+  const Scales scales = make_conditions(recording, options.conditions).scales;
+  CompareOptions common = options;
+  common.common = shared_parameters(options.models, scales, options.requests);
+  if (common.common.empty()) throw InputError("--common: the models share no parameter that is searched; expected at least one");
+  for (const ModelChoice& model : options.models)
+    if (searched_parameters(model, scales, options.requests).size() == common.common.size())
+      throw InputError(
+          fmt::format("--common: {} has no parameter of its own to be told apart by; expected one that is searched", model.name));
+  CompareOptions alone = options;
+  alone.models.resize(1);
+  const Comparison fit = compare(recording, alone, on_progress, journal);
+  for (const ParameterResult& p : fit.models.front().parameters) {
+    if (!holds(common.common, p.name)) continue;
+    std::erase_if(common.requests.bounds, [&](const auto& b) { return b.first == p.name || b.first.ends_with("." + p.name); });
+    common.requests.set[p.name] = p.value;
+  }
+  return common;
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "fit/compare/facts.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "libeval/independent.h"
+#include "libeval/lags.h"
+#include "libeval/skill.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr double kScaleOff = 2;        // a mean off by more than this factor is called wrong in scale
+constexpr double kInfeasible = 0.05;   // share of agent-steps without a collision-free velocity worth a warning
+constexpr double kFewIndividuals = 5;  // neighbour statistics of smaller groups say little
+constexpr double kStandardErrors = 2;
+
+std::string name_of(ConditionOptions::Error e) {
+  return e == ConditionOptions::Error::estimate ? "estimate" : e == ConditionOptions::Error::given ? "given" : "none";
+}
+
+template <class... Args>
+void warn(std::vector<std::string>& out, fmt::format_string<Args...> text, Args&&... args) {
+  out.push_back(fmt::format(text, std::forward<Args>(args)...));
+}
+
+void warn_of_data(const Comparison& r, std::vector<std::string>& out) {
+  if (r.data.individuals_per_frame < kFewIndividuals)
+    warn(out, "Only {:.1f} individuals per frame: neighbour distances of so small a group say little about interaction.",
+         r.data.individuals_per_frame);
+  if (!r.observation.white && r.observation.error_source == "estimate")
+    warn(
+        out,
+        "The localisation error cannot be told from the motion (it is not independent from frame to frame: the positions were smoothed, or "
+        "the motion is rough), so simulations carry none; where it is known, give it with --obs-noise.");
+}
+
+// Is the longest lag still too short?
+void warn_of_lags(const Comparison& r, std::vector<std::string>& out) {
+  const int lag = lags_of(r.columns).back();
+  std::vector<std::string> drowned;
+  for (std::size_t j = 0; j < r.columns.size(); ++j)
+    if (r.columns[j].motion() && r.columns[j].lag == lag && r.defined[j] && r.observation.drowned[j]) drowned.push_back(r.columns[j].key());
+  if (drowned.empty()) return;
+  const bool longer = lag < r.observation.longest_lag;
+  warn(out, "{} {} mostly localisation error even at the longest lag ({}); {}.", fmt::join(drowned, ", "),
+       drowned.size() > 1 ? "are" : "is", lag,
+       longer ? fmt::format("a longer one, up to {}, may show motion: --lags", r.observation.longest_lag)
+              : "the tracks are too short for a longer one");
+}
+
+// Names the column that changes most.
+void warn_of_step(const FitResult& m, const Comparison& r, std::vector<std::string>& out) {
+  if (m.steps_settled) return;
+  const auto change = [&](std::size_t j) { return r.defined[j] ? std::abs(m.half_step_energies[j] - m.raw_energies[j]) : 0; };
+  std::size_t most = 0;
+  for (std::size_t j = 1; j < r.columns.size(); ++j)
+    if (change(j) > change(most)) most = j;
+  warn(out,
+       "{}: integration has not converged with {} steps per frame. Halving the step changes its energy in {} from {:.3g} to {:.3g}, "
+       "so its parameters and its rank belong to the step; --steps sets more.",
+       m.model, m.steps, r.columns[most].symbol(), m.raw_energies[most], m.half_step_energies[most]);
+}
+
+void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::string>& out) {
+  std::vector<std::string> bounds;
+  for (const auto& p : m.parameters)
+    if (p.at_bound) bounds.push_back(p.name);
+  if (!bounds.empty())
+    warn(out, "{}: {} ended on a bound, so its rank is conditional on the bounds; widen with --bounds.", m.model, fmt::join(bounds, ", "));
+  for (const auto& p : m.parameters)
+    if (!p.at_lower.empty()) warn(out, "{}: {} ended on its lower bound: {}.", m.model, p.name, p.at_lower);
+  for (const std::size_t j : {kSpeed, kDistance})
+    if (const double ratio = m.mean_ratio[j]; std::isfinite(ratio) && (ratio > kScaleOff || ratio < 1 / kScaleOff))
+      warn(out, "{}: wrong in scale, its mean {} is {:.2g} times the recorded one, whatever its score.", m.model, r.columns[j].name(),
+           ratio);
+  if (m.failed_final > 0)
+    warn(out, "{}: {:.0f} % of the final simulations blew up and count with the worst energy.", m.model, 100 * m.failed_final);
+  if (m.infeasible_avoidance > kInfeasible)
+    warn(out, "{}: no collision-free velocity existed in {:.0f} % of all agent-steps.", m.model, 100 * m.infeasible_avoidance);
+  warn_of_step(m, r, out);
+}
+
+std::string_view without_settings(std::string_view model) { return model.substr(0, model.find('[')); }
+
+// Is `part` what `whole` is with a strength at zero? It then searches some of the same parameters, and of the rest one may be zero.
+bool is_part(const FitResult& part, const FitResult& whole) {
+  if (without_settings(part.model) != without_settings(whole.model)) return false;
+  const auto searched = [](const FitResult& fit, const std::string& name) {
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const auto& p) { return p.fitted && p.name == name; });
+  };
+  return std::all_of(part.parameters.begin(), part.parameters.end(), [&](const auto& p) { return !p.fitted || searched(whole, p.name); }) &&
+         std::any_of(whole.parameters.begin(), whole.parameters.end(),
+                     [&](const auto& p) { return p.fitted && p.lower == 0 && !searched(part, p.name); });
+}
+
+void warn_of_parts(const FitResult& whole, const Comparison& r, std::vector<std::string>& out) {
+  for (const FitResult& part : r.models)
+    if (is_part(part, whole) && part.score - whole.score > kStandardErrors * std::hypot(part.score_se, whole.score_se))
+      warn(out, "{} is worse than its own part {}, so its search was not finished; a larger --budget may move its rank.", whole.model,
+           part.model);
+}
+
+// The search sees histograms, the posterior means and correlations besides: where they disagree, no parameters are right for both.
+void warn_of_posterior(const FitResult& fit, std::vector<std::string>& out) {
+  std::vector<std::string> apart;
+  for (const ParameterResult& p : fit.parameters)
+    if (p.value < p.posterior.lower || p.value > p.posterior.upper) apart.push_back(p.name);
+  if (!apart.empty())
+    warn(
+        out,
+        "{}: the best {} lies outside its 95 % interval. Distributions and correlations ask for different values, so the model is wrong in "
+        "something, or the search was not finished; trust neither value.",
+        fit.model, fmt::join(apart, ", "));
+}
+
+}  // namespace
+
+PerColumn<double> resolution(const Conditions& c, const Target& target, const CompareOptions& options, const PerColumn<bool>& drowned) {
+  PerColumn<double> out(target.columns().size(), 0.0);
+  if (std::find(drowned.begin(), drowned.end(), true) != drowned.end()) {
+    const MetricSamples again = metric_samples(with_error(c.recording, c.sigma, options.seed), c.metrics);
+    const Energies changed = target.energies(target.distributions(again));
+    for (std::size_t j = 0; j < out.size(); ++j)
+      if (drowned[j] && std::isfinite(changed[j])) out[j] = changed[j];
+  }
+  if (!options.resolution) return out;
+  const HalfDistance halves(c.recording, c.metrics);
+  for (std::size_t j = 0; j < out.size(); ++j)
+    if (const double distance = halves.floor()[j]; std::isfinite(distance)) out[j] = std::max(out[j], 0.5 * distance * target.worst());
+  return out;
+}
+
+ObservationFacts observation_facts(const Conditions& c, const Target& target, const CompareOptions& options) {
+  ObservationFacts facts;
+  facts.presence = c.options.presence == ConditionOptions::Presence::recorded ? "recorded" : "constant";
+  facts.arena = c.options.arena;
+  facts.unseen = c.unseen;
+  facts.error_source = name_of(c.options.error);
+  facts.sigma = c.sigma;
+  facts.white = c.localisation.white || c.localisation.rounding;
+  facts.rounding = c.grid.step;
+  facts.smoothing = c.options.smoothing;
+  facts.velocity = c.options.velocity == VelocitySource::difference ? "difference" : "recorded";
+  facts.independent = independent_samples(c.recording, c.metrics);
+  facts.error_share = error_share(c.recording, measurement_error(c), options.seed, c.metrics.lags);
+  facts.longest_lag = longest_lag(c.recording);
+  const std::size_t columns = target.columns().size();
+  facts.drowned = facts.used = PerColumn<bool>(columns);
+  facts.why_not = PerColumn<std::string>(columns);
+  for (std::size_t j = 0; j < columns; ++j) {
+    facts.drowned[j] = facts.error_share[j] > options.error_limit;
+    facts.used[j] = target.defined(j);
+    if (!facts.used[j]) facts.why_not[j] = "it is constant or undefined in the recording";
+  }
+  return facts;
+}
+
+DataFacts data_facts(const Tracks& recording, const Scales& scales) {
+  const auto& meta = recording.meta();
+  DataFacts d;
+  d.path = meta.from.path;
+  d.sha256 = meta.from.sha256;
+  d.format = meta.from.format;
+  d.columns = meta.from.columns;
+  d.unit = meta.unit;
+  d.synthetic = meta.from.synthetic;
+  d.dims = meta.dims;
+  d.dt = meta.dt;
+  d.rows = recording.rows();
+  d.frames = recording.frames().size();
+  for (std::uint32_t t = 0; t < recording.track_count(); ++t) d.tracks += !recording.rows_of(t).empty();
+  d.first_frame = recording.frames().front().number;
+  d.last_frame = recording.frames().back().number;
+  d.individuals_per_frame = static_cast<double>(d.rows) / static_cast<double>(d.frames);
+  d.extent = scales.extent;
+  d.spacing = scales.spacing;
+  d.speed = scales.speed;
+  d.notes = meta.from.notes;
+  return d;
+}
+
+void fill_axes(Comparison& r, const Target& target) {
+  r.binning = target.binning();
+  r.recording = target.recording();
+  const std::size_t columns = target.columns().size();
+  r.columns = target.columns();
+  r.defined = PerColumn<bool>(columns);
+  r.axis_lower = r.axis_width = PerColumn<double>(columns);
+  for (std::size_t j = 0; j < columns; ++j) {
+    r.defined[j] = target.defined(j);
+    r.axis_lower[j] = target.axis(j).lower;
+    r.axis_width[j] = target.axis(j).width;
+  }
+}
+
+void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, const Target& target, const CompareOptions& options) {
+  r.command = options.models.size() > 1 ? "compare" : "fit";
+  r.seed = options.seed;
+  r.budget = options.budget;
+  r.protocol = options.protocol;
+  r.common = options.common;
+  r.data = data_facts(recording, c.scales);
+  fill_axes(r, target);
+  r.lags = lag_facts(r);
+}
+
+std::vector<int> lags_for(const Conditions& c, const CompareOptions& options) {
+  require_lags(c.recording, options.lags);
+  if (!options.lags.empty()) return options.lags;
+  if (c.options.velocity == VelocitySource::recorded) return {1};
+  return choose_lags(c.recording, measurement_error(c), options.error_limit, options.seed);
+}
+
+std::vector<LagFacts> lag_facts(const Comparison& r) {
+  std::vector<LagFacts> out;
+  for (const int lag : lags_of(r.columns)) out.push_back({lag, 0, 0, NAN});
+  out.push_back({0, 0, 0, NAN});
+  for (std::size_t j = 0; j < r.columns.size(); ++j) {
+    const int lag = r.columns[j].motion() ? r.columns[j].lag : 0;
+    LagFacts& of = *std::find_if(out.begin(), out.end(), [lag](const LagFacts& f) { return f.lag == lag; });
+    of.error_share = std::fmax(of.error_share, r.observation.error_share[j]);
+    if (!r.observation.used[j]) continue;
+    ++of.scored;
+    of.weight += r.weights[j];
+  }
+  return out;
+}
+
+std::vector<std::string> warnings_for(const Comparison& r) {
+  std::vector<std::string> out;
+  if (!r.common.empty())
+    warn(out, "{} were fitted with {} alone and kept for all models: with dynamics of their own the others might do better.",
+         fmt::join(r.common, ", "), r.named.front());
+  if (r.data.synthetic) warn(out, "This recording is synthetic: it was made by a simulator.");
+  warn_of_data(r, out);
+  warn_of_lags(r, out);
+  if (r.models.size() == 2)
+    warn(out,
+         "With two models the entropy weights only count which model is nearer in each metric; read the raw energies beside the score.");
+  std::vector<std::string> alike;
+  for (std::size_t j = 0; j < r.columns.size(); ++j)
+    if (r.models.size() > 1 && r.weights[j] > 0 && r.resolution[j] > 0 && r.p2[j] <= r.resolution[j]) alike.push_back(r.columns[j].key());
+  if (!alike.empty())
+    warn(out, "In {} no two models differ by more than the recording's own scatter; such differences count for less.",
+         fmt::join(alike, ", "));
+  if (r.models.size() > 1 && !r.weights_converged)
+    warn(out, "The weights had not settled after {} passes (last change {:.3f}); a larger --budget may move the scores.",
+         r.weight_history.size(), r.weight_history.back().largest_change);
+  for (const auto& model : r.models) {
+    warn_of_fit(model, r, out);
+    warn_of_parts(model, r, out);
+    warn_of_posterior(model, out);
+  }
+  return out;
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "fit/compare/hold_out.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/model_fit/race.h"
+#include "libtrack/cut.h"
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr std::int64_t kFewest = 32;  // frames of a half
+
+const ModelChoice& choice_of(const CompareOptions& options, const std::string& name) {
+  return *std::find_if(options.models.begin(), options.models.end(), [&](const ModelChoice& m) { return m.name == name; });
+}
+
+}  // namespace
+
+Halves halves(const Tracks& recording) {
+  const std::int64_t first = recording.frames().front().number, frames = recording.frames().back().number + 1 - first;
+  const auto apart = static_cast<std::int64_t>(std::ceil(natural_scales(recording).time() / recording.dt()));
+  const std::int64_t half = (frames - apart) / 2;
+  if (half < kFewest)
+    throw InputError(
+        fmt::format("--holdout: {} frames are too few; expected at least {}, two halves of {} with L / V, {} frames, in between", frames,
+                    2 * kFewest + apart, kFewest, apart));
+  return {cut(recording, first, first + half), cut(recording, first + frames - half, first + frames)};
+}
+
+void fill_held_out(Comparison& result, const Halves& halves, const CompareOptions& options, const Conditions& fitted,
+                   const Weighting& weighting) {
+  std::vector<FitResult>& models = result.models;
+  result.hold_out = {true, halves.fitted.frames().front().number, halves.fitted.frames().back().number,
+                     halves.held_out.frames().front().number, halves.held_out.frames().back().number};
+  const Conditions conditions = held_out_conditions(halves.held_out, fitted);
+  const Target target(recorded_samples(conditions.recording, conditions.metrics), options.binning);
+  const auto seeds = replicate_seeds({options.seed}, Stream::final_seeds, options.budget.final_replicates);
+  std::vector<FitResult> there(models.size());
+  Laws laws{{}, {}, std::vector<double>(models.size(), 0), {options.seed}};
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    const ModelChoice& model = choice_of(options, models[m].model);
+    Objective objective(model, conditions, target);
+    objective.use_steps(models[m].steps);
+    const auto values = parameter_values(model, models[m]);
+    there[m].raw_energies = objective.evaluate(values, seeds).raw;
+    there[m].score = -cost_of(there[m].raw_energies, weighting);
+    laws.of.push_back(law_of(objective, values, {options.seed}, options.laws));
+  }
+  laws.recordings = laws.of.front();
+  fill_certainty(there, laws, target, weighting, options.budget.final_replicates);
+  for (std::size_t m = 0; m < models.size(); ++m) models[m].held_out = {there[m].score, there[m].raw_energies, there[m].certainty};
+}
+
+}  // namespace swarmfit

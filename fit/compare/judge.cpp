@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "fit/compare/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/compare/refute.h"
+#include "libeval/distance.h"
+#include "libeval/leave_one_out.h"
+#include "libeval/surrogate.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr std::size_t kSurrogates = 99;  // of each kind that is tested: so that p can reach 0.01
+constexpr std::size_t kPlaced = 10;
+constexpr double kStandardErrors = 2;
+
+Estimate estimate(const std::vector<double>& values) {
+  Moments m;
+  for (const double v : values) m.add(v);
+  const auto n = static_cast<double>(m.count);
+  return {m.count > 0 ? m.mean : NAN, m.count > 1 ? std::sqrt(m.m2 / (n - 1) / n) : NAN};
+}
+
+std::vector<Estimate> estimates(const std::vector<double>& value, const std::vector<double>& se) {
+  std::vector<Estimate> out;
+  for (std::size_t k = 0; k < value.size(); ++k) out.push_back({value[k], se[k]});
+  return out;
+}
+
+double column_mean(const std::vector<PerColumn<double>>& values, std::size_t j) {
+  Moments m;
+  for (const auto& v : values) m.add(v[j]);
+  return m.count > 0 ? m.mean : NAN;
+}
+
+// Mean and standard error of each number over replicates.
+std::vector<Estimate> over_replicates(const std::vector<Panel>& panels, std::vector<double> Panel::*part) {
+  std::vector<Estimate> out;
+  for (std::size_t k = 0; !panels.empty() && k < (panels.front().*part).size(); ++k) {
+    std::vector<double> column;
+    for (const Panel& p : panels) column.push_back((p.*part)[k]);
+    out.push_back(estimate(column));
+  }
+  return out;
+}
+
+// Has no model with a skill more of it than the random walk?
+bool suffices(const Estimate& walker, const std::vector<FitResult>& models) {
+  if (!std::isfinite(walker.value)) return false;
+  bool any = false;
+  for (const FitResult& m : models) {
+    if (!std::isfinite(m.skill.value)) continue;
+    any = true;
+    const double se = std::isfinite(m.skill.se) ? m.skill.se : 0;
+    if (m.skill.value - walker.value > kStandardErrors * std::hypot(se, walker.se)) return false;
+  }
+  return any;
+}
+
+// One replicate as the judge sees it.
+struct Run {
+  PerColumn<double> distance, wasserstein;
+  Panel panel;  // empty if it blew up
+};
+
+}  // namespace
+
+// Surrogates as the judge sees them.
+struct Judge::Nulls {
+  std::vector<PerColumn<double>> shifted, walked, placed;  // distances; NaN where they say nothing
+  std::vector<PerColumn<Histogram>> of_shifted, of_walked;
+};
+
+Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed)
+    : conditions_(conditions),
+      distance_(conditions.recording, conditions.metrics),
+      plan_(panel_plan(conditions.recording)),
+      panel_(panel_with_error(conditions.recording, plan_)) {
+  facts_.floor = distance_.floor();
+  facts_.floor_sd = distance_.floor_sd();
+  const Nulls nulls = measured_nulls({seed});
+  const auto& columns = distance_.columns();
+  facts_.null = facts_.places = PerColumn<double>(columns.size());
+  facts_.informative = PerColumn<bool>(columns.size());
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    facts_.null[j] = column_mean(columns[j].motion() ? nulls.walked : nulls.shifted, j);
+    facts_.places[j] = column_mean(nulls.placed, j);
+    facts_.informative[j] = facts_.null[j] > facts_.floor[j] + kStandardErrors * facts_.floor_sd[j];
+  }
+  choose_scale(used);
+
+  const auto observed = HalfDistance::pooled(distance_.recording());
+  facts_.surrogates = static_cast<int>(kSurrogates);
+  PerColumn<bool> motion = facts_.used;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    motion[j] = motion[j] && columns[j].motion();
+    if (columns[j].motion()) continue;
+    PerColumn<bool> only(columns.size());
+    only[j] = true;
+    facts_.interaction_p[j - kDistance] = surrogate_p(observed, nulls.of_shifted, only);
+  }
+  facts_.memory_p = surrogate_p(observed, nulls.of_walked, motion);
+  // A walk has no d and eta of its own: it takes those of the tracks shifted in time.
+  std::vector<double> walkers;
+  for (PerColumn<double> walk : nulls.walked) {
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      if (!columns[j].motion()) walk[j] = facts_.null[j];
+    walkers.push_back(mean_used(walk, facts_.used));
+  }
+  const Estimate walker = estimate(walkers);
+  if (std::find(motion.begin(), motion.end(), true) != motion.end())
+    facts_.walker = {scale_.skill(walker.value), scale_.slope() * walker.se};
+}
+
+Judge::Nulls Judge::measured_nulls(const Rng& rng) {
+  const Tracks& recording = conditions_.recording;
+  const auto& columns = distance_.columns();
+  Nulls out;
+  out.shifted.resize(kSurrogates), out.of_shifted.resize(kSurrogates);
+  out.walked.resize(kSurrogates), out.of_walked.resize(kSurrogates);
+  out.placed.resize(kPlaced);
+  PerColumn<bool> motion(columns.size()), rest(columns.size());
+  for (std::size_t j = 0; j < columns.size(); ++j) motion[j] = columns[j].motion(), rest[j] = !motion[j];
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(2 * kSurrogates + kPlaced); ++i) {
+    const auto all = static_cast<std::size_t>(i), kind = all / kSurrogates, k = all % kSurrogates;
+    const Rng own = rng.derive(Stream::surrogate, all);
+    const auto blocks = distance_.blocks(kind == 0   ? timeshift(recording, own)
+                                         : kind == 1 ? shuffled_walker(recording, own)
+                                                     : shuffled_places(recording, own));
+    if (kind == 2) {
+      out.placed[k] = distance_.to(blocks);
+      continue;
+    }
+    (kind == 0 ? out.shifted : out.walked)[k] = distance_.to(blocks, kind == 0 ? rest : motion);
+    (kind == 0 ? out.of_shifted : out.of_walked)[k] = HalfDistance::pooled(blocks);
+  }
+  return out;
+}
+
+// Takes this scale if the null is farther than halves of the recording are.
+bool Judge::fits(const PerColumn<bool>& used, SkillNull null) {
+  const Moments floor = distance_.floor_over(used);
+  const SkillScale scale = skill_scale(facts_.floor, null == SkillNull::steps ? facts_.null : facts_.places, used);
+  if (!(scale.null > scale.floor + kStandardErrors * floor.sd())) return false;
+  scale_ = scale;
+  facts_.null_of = null;
+  facts_.used = used;
+  facts_.mean_floor_sd = floor.sd();
+  return true;
+}
+
+void Judge::choose_scale(const PerColumn<bool>& wanted) {
+  const auto measured = [&](std::size_t j) { return std::isfinite(facts_.floor[j]) && std::isfinite(facts_.null[j]); };
+  PerColumn<bool> scored = wanted, all(wanted.size());
+  // An eighth of the recording can be too short for a lag that the whole carries.
+  for (std::size_t j = 0; j < wanted.size(); ++j) {
+    scored[j] = wanted[j] && (distance_.columns()[j].lag == 1 || measured(j));
+    all[j] = measured(j);
+  }
+  if (!fits(scored, SkillNull::steps) && !fits(all, SkillNull::steps) && !fits(scored, SkillNull::places) && !fits(all, SkillNull::places))
+    facts_.used = scored;
+  facts_.mean_floor = scale_.floor;
+  facts_.mean_null = scale_.null;
+}
+
+void Judge::judge(FitResult& fit, const Objective& objective, const std::vector<double>& parameters, std::span<const Rng> seeds) const {
+  std::vector<Run> runs(seeds.size());
+  const auto real = HalfDistance::pooled(distance_.recording());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(runs.size()); ++i) {
+    Run& run = runs[static_cast<std::size_t>(i)];
+    const auto tracks = objective.finished(parameters, seeds[static_cast<std::size_t>(i)]);
+    const auto blocks = tracks ? distance_.blocks(*tracks) : distance_.no_blocks();
+    const auto pooled = HalfDistance::pooled(blocks);
+    run.distance = distance_.to(blocks);
+    run.wasserstein = PerColumn<double>(real.size());
+    for (std::size_t j = 0; j < real.size(); ++j) {
+      if (std::isnan(run.distance[j]) && !std::isnan(distance_.floor()[j])) run.distance[j] = 1;
+      run.wasserstein[j] = wasserstein(real[j], pooled[j], distance_.bin_width());
+    }
+    if (tracks) run.panel = panel(*tracks, plan_);
+  }
+  std::vector<double> means;
+  std::vector<Panel> panels;
+  for (const Run& run : runs) {
+    means.push_back(mean_used(run.distance, facts_.used));
+    if (!run.panel.values.empty()) panels.push_back(run.panel);
+  }
+  const Estimate d = estimate(means);
+  fit.skill = {scale_.skill(d.value), scale_.slope() * d.se};
+  fit.total_variation = fit.wasserstein = PerColumn<double>(real.size());
+  for (std::size_t j = 0; j < real.size(); ++j) {
+    std::vector<double> distances, shifts;
+    for (const Run& run : runs) distances.push_back(run.distance[j]), shifts.push_back(run.wasserstein[j]);
+    fit.total_variation[j] = estimate(distances).value;
+    fit.wasserstein[j] = estimate(shifts).value;
+  }
+  fit.panel = over_replicates(panels, &Panel::values);
+  fit.vacf = over_replicates(panels, &Panel::vacf);
+  fit.panel.resize(plan_.items().size());
+  fit.vacf.resize(plan_.vacf_lags.size());
+  fit.refuted_by = refutations(plan_, panel_, panels);
+}
+
+void Judge::tell(Comparison& result) const {
+  result.skill = facts_;
+  result.skill.walk_suffices = suffices(facts_.walker, result.models);
+  const auto& [value, se] = panel_;
+  result.panel = {plan_.items(), estimates(value.values, se.values), {}, estimates(value.vacf, se.vacf)};
+  for (const Index lag : plan_.vacf_lags) result.panel.lags.push_back(static_cast<double>(lag) * plan_.dt);
+
+  const auto& models = result.models;
+  const auto& scored = result.observation.used;
+  Eigen::MatrixXd table(static_cast<Index>(models.size()), static_cast<Index>(scored.size()));
+  for (std::size_t m = 0; m < models.size(); ++m)
+    for (std::size_t j = 0; j < scored.size(); ++j) table(static_cast<Index>(m), static_cast<Index>(j)) = models[m].raw_energies[j];
+  for (const WithoutOne& w : leave_one_out(table, {scored.begin(), scored.end()}, {result.resolution.begin(), result.resolution.end()})) {
+    LeftOut out;
+    out.model = models[static_cast<std::size_t>(w.dropped)].model;
+    out.weights.assign(w.weighting.weights.begin(), w.weighting.weights.end());
+    for (const Index row : w.order)
+      out.ranking.emplace_back(models[static_cast<std::size_t>(row)].model, w.scores[static_cast<std::size_t>(row)]);
+    // Rows stand in order of rank.
+    out.reordered = !std::is_sorted(w.order.begin(), w.order.end());
+    out.winner_changed = w.dropped != 0 && w.order.front() != 0;
+    result.without.push_back(std::move(out));
+  }
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What the score cannot say: how good a model is whoever else is compared, whether the recording shows interaction or memory at all, how
+// much the ranking depends on who was ranked, and whether what was not fitted comes out right.
+#pragma once
+
+#include "fit/experiment/objective.h"
+#include "fit/results/results.h"
+#include "libeval/skill.h"
+
+namespace swarmfit {
+
+// Measures the recording and its surrogates once. Holds references, so the conditions must outlive it.
+//
+// The scale of skill: 1 is the distance between halves of the recording, 0 that of its surrogates (libeval/surrogate.h). Those are a random
+// walk of its own steps, and for d and eta its tracks shifted in time, where these lie farther than the halves do: by more than two
+// standard deviations over the choices of halves, in the mean over the columns. Where they do not, in the columns of the score or in all
+// that are defined, the scale is that of a coarser null: its places in random order.
+class Judge {
+ public:
+  // used: columns on which the skill rests. seed: of the surrogates, the same for all models.
+  Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed);
+
+  // Fills skill, total_variation, wasserstein, panel, vacf and refuted_by from runs of these parameters on these seeds. A run that blew up
+  // counts as disjoint, and has no panel.
+  void judge(FitResult& fit, const Objective& objective, const std::vector<double>& parameters, std::span<const Rng> seeds) const;
+
+  // Fills skill, without and panel of a comparison whose models are judged and ranked.
+  void tell(Comparison& result) const;
+
+ private:
+  struct Nulls;
+  Nulls measured_nulls(const Rng& rng);
+  bool fits(const PerColumn<bool>& used, SkillNull null);
+  void choose_scale(const PerColumn<bool>& wanted);
+
+  const Conditions& conditions_;
+  HalfDistance distance_;
+  PanelPlan plan_;
+  PanelEstimate panel_;  // of the recording
+  SkillFacts facts_;
+  SkillScale scale_;
+};
+
+}  // namespace swarmfit

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "fit/compare/portrait.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/compare/facts.h"
+#include "fit/experiment/film.h"
+#include "libtrack/cut.h"
+#include "libtrack/error.h"
+
+namespace swarmfit {
+
+namespace {
+
+void require_somebody(const Tracks& tracks) {
+  if (tracks.rows() == 0) throw InputError(tracks.meta().from.path + ": nobody to show; expected at least one individual");
+}
+
+// Nothing is left out, nothing is known to be drowned.
+void fill_observation(Comparison& c) {
+  c.observation.used = c.defined;
+  c.observation.drowned = PerColumn<bool>(c.columns.size());
+  c.observation.why_not = PerColumn<std::string>(c.columns.size());
+}
+
+// The same tracks so many frames later.
+Tracks later(const Tracks& tracks, std::int64_t frames) {
+  TrackColumns c = tracks.columns();
+  for (std::int64_t& frame : c.frame) frame += frames;
+  for (std::int64_t& frame : c.episodes) frame += frames;
+  return {std::move(c), tracks.meta()};
+}
+
+FitResult as_model(const Evaluation& e) {
+  FitResult r;
+  r.model = "simulation";
+  r.raw_energies = e.raw_energies;
+  r.distributions = e.simulated_distribution;
+  r.raw_se = PerColumn<double>(e.columns.size());
+  return r;
+}
+
+}  // namespace
+
+Comparison portrait(const Tracks& tracks) {
+  require_somebody(tracks);
+  Comparison c;
+  const Target target(metric_samples(tracks), Binning{});
+  c.data = data_facts(tracks, natural_scales(tracks));
+  fill_axes(c, target);
+  fill_observation(c);
+  const FilmSpan span = film_span(tracks, 1);
+  c.film = cut(tracks, span.first, span.last);
+  return c;
+}
+
+PairPortrait portrait(const Tracks& real, const Tracks& simulated, const Evaluation& e) {
+  require_somebody(real);
+  require_somebody(simulated);
+  PairPortrait out;
+  Comparison& c = out.comparison;
+  c.command = "evaluate";
+  c.data = data_facts(real, natural_scales(real));
+  out.simulation = data_facts(simulated, natural_scales(simulated));
+  c.binning = e.binning;
+  c.columns = e.columns;
+  c.recording = e.real_distribution;
+  c.axis_lower = e.axis_lower;
+  c.axis_width = e.axis_width;
+  c.weights = PerColumn<double>(e.columns.size());
+  c.defined = PerColumn<bool>(e.columns.size());
+  for (std::size_t m = 0; m < e.columns.size(); ++m) c.defined[m] = std::isfinite(e.raw_energies[m]);
+  fill_observation(c);
+  c.models = {as_model(e)};
+  const FilmSpan of_real = film_span(real, 2), of_simulated = film_span(simulated, 2);
+  const std::int64_t frames = std::min(of_real.last - of_real.first, of_simulated.last - of_simulated.first);
+  c.film = cut(real, of_real.first, of_real.first + frames);
+  c.models.front().film = later(cut(simulated, of_simulated.first, of_simulated.first + frames), of_real.first - of_simulated.first);
+  return out;
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Synthetic recordings: a model with known parameters, filmed by a camera with known faults.
+#pragma once
+
+#include "fit/results/results.h"
+#include "libswarm/model.h"
+#include "libtrack/tracks.h"
+
+namespace swarmfit {
+
+struct PlantOptions {
+  int dims = 3;
+  int agents = 20;
+  std::int64_t frames = 500;
+  double dt = 0.01;          // frame interval [s]
+  int substeps = 1;          // steps per frame
+  std::int64_t warm_up = 0;  // frames simulated before the recording starts
+  Bounds arena;              // open by default
+  double start_radius = 1;   // agents start uniformly in a ball (disc) of this radius about the origin, or the arena's centre [unit]
+  Scales scales;             // what the model is told of the group's size and speed
+  double start_speed = 1;    // and in random directions at this speed [unit/s]
+  double sigma = 0;          // localisation error per axis [unit]
+  double dropout = 0;        // probability per individual and frame that a gap begins
+  int longest_gap = 5;       // gaps last 1 .. longest_gap frames, all equally likely
+  std::uint64_t seed = 1;
+  std::string unit = "su";
+  std::string path;  // shown as where it comes from
+  std::vector<std::string> notes;
+};
+
+// Simulates and films. Ids of tracks are agent numbers. Throws InputError if the simulation blows up.
+Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, const PlantOptions& options);
+
+// The parameter table's defaults for scenes, with some set by name; throws InputError on an unknown name.
+std::vector<double> scene_parameters(const ModelChoice& model, const std::map<std::string, double>& set);
+
+// The rows of the parameter table that these settings use, with these values, in length units and seconds.
+std::vector<ParameterResult> scene_table(const ModelChoice& model, const std::vector<double>& parameters, const std::string& unit);
+
+// The built-in recording `demo`: a midge-like swarm of bswarm with curl noise, made by plant() with the constants of demo.cpp.
+Tracks demo_recording();
+
+}  // namespace swarmfit

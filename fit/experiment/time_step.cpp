@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "fit/experiment/time_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmfit {
+namespace {
+
+constexpr double kStandardErrors = 3;
+constexpr double kSlight = 0.1;  // of an energy: a model that is far from the recording does not come nearer by that
+constexpr double kFar = 0.4;     // of the worst energy
+
+double squared_error(const Outcome& outcome, std::size_t column) {
+  Moments single;
+  for (const Energies& replicate : outcome.replicates) single.add(replicate[column]);
+  const auto n = static_cast<double>(single.count);
+  return n > 1 ? single.m2 / (n - 1) / n : 0;
+}
+
+}  // namespace
+
+bool same_energies(const Outcome& one, const Outcome& other, const Target& target) {
+  for (std::size_t j = 0; j < target.columns().size(); ++j) {
+    if (!target.defined(j)) continue;
+    const double scatter = std::sqrt(squared_error(one, j) + squared_error(other, j));
+    const double slight = std::max(kUnseen * target.worst(), kSlight * std::max(one.raw[j], other.raw[j]));
+    if (std::abs(one.raw[j] - other.raw[j]) > std::max(kStandardErrors * scatter, slight)) return false;
+  }
+  return true;
+}
+
+bool far_off(const Outcome& outcome, const Target& target) {
+  Moments energies;
+  for (std::size_t j = 0; j < target.columns().size(); ++j)
+    if (target.defined(j)) energies.add(outcome.raw[j]);
+  return energies.mean > kFar * target.worst();
+}
+
+void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
+                  std::span<const Rng> seeds) {
+  const auto all = [](const std::vector<Outcome>& first) { return std::vector<bool>(first.size(), true); };
+  const auto outcomes = [&](int steps) {
+    objective.use_steps(steps);
+    return objective.race(candidates, seeds, seeds.size(), all);
+  };
+  const auto same = [&](const std::vector<Outcome>& coarse, const std::vector<Outcome>& fine) {
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      if (!same_energies(coarse[c], fine[c], target)) return false;
+    return true;
+  };
+  const auto most = [&](const std::vector<Outcome>& found) {
+    const bool far = std::all_of(found.begin(), found.end(), [&](const Outcome& o) { return far_off(o, target); });
+    return (far ? kFarSteps : kMostSteps) * objective.stable_steps();
+  };
+  int steps = objective.steps();
+  auto coarse = outcomes(steps);
+  while (2 * steps <= most(coarse)) {
+    auto fine = outcomes(2 * steps);
+    if (same(coarse, fine)) break;
+    steps *= 2;
+    coarse = std::move(fine);
+  }
+  objective.use_steps(steps);
+}
+
+}  // namespace swarmfit

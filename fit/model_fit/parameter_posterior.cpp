@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "fit/model_fit/parameter_posterior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fit/experiment/run_features.h"
+#include "libtrack/cut.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr double kAtMost = 1.0 / 3;  // of the recording's frames
+
+}  // namespace
+
+std::int64_t settling_frames(const Conditions& conditions) {
+  const auto wanted = static_cast<std::int64_t>(std::ceil(conditions.scales.time() / conditions.recording.dt()));
+  return std::min(wanted, static_cast<std::int64_t>(kAtMost * static_cast<double>(conditions.frames)));
+}
+
+ParameterPosterior posterior_of(const SearchSpace& space, const Objective& objective, const Conditions& conditions, const Target& target,
+                                const Rng& rng, const PosteriorOptions& options) {
+  const RunFeatures features(conditions, target);
+  const std::int64_t start = conditions.first_frame + settling_frames(conditions);
+  const auto settled = [&](const Tracks& tracks) { return features(cut(tracks, start, std::numeric_limits<std::int64_t>::max())); };
+  const auto run = [&](const Point& x, const Rng& seed) -> std::optional<Eigen::VectorXd> {
+    const auto seen = objective.finished(space.parameters(x), seed);
+    return seen && seen->rows() > 0 ? std::optional(settled(*seen)) : std::nullopt;
+  };
+  ParameterPosterior out{posterior(settled(conditions.recording), space.dimensions(), run, rng, options), {}};
+  const auto& marginals = out.posterior.marginals;
+  Point lower(space.dimensions()), median = lower, upper = lower;
+  for (std::size_t k = 0; k < marginals.size(); ++k) {
+    const auto a = static_cast<Index>(k);
+    lower[a] = marginals[k].lower, median[a] = marginals[k].median, upper[a] = marginals[k].upper;
+  }
+  const auto low = space.parameters(lower), middle = space.parameters(median), high = space.parameters(upper);
+  const auto name = [&](std::size_t k) { return std::string(space.model().spec->parameters[space.searched()[k]].name); };
+  for (std::size_t k = 0; k < marginals.size(); ++k) {
+    const Marginal& m = marginals[k];
+    const std::size_t row = space.searched()[k];
+    out.parameters.push_back({row, name(k), middle[row], low[row], high[row], m.contraction, m.verdict,
+                              m.partner < 0 ? "" : name(static_cast<std::size_t>(m.partner)), m.correlation});
+  }
+  return out;
+}
+
+}  // namespace swarmfit

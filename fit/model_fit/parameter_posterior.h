@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Which parameters of a model a recording determines, and how well.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/experiment/objective.h"
+#include "fit/infer/posterior.h"
+#include "fit/model_fit/search_space.h"
+
+namespace swarmfit {
+
+// One searched parameter, in physical units; where the search's axis is logarithmic or a square root, so is that of the prior.
+struct ParameterInterval {
+  std::size_t row = 0;  // of the model's parameter table
+  std::string name;
+  double median = 0, lower = 0, upper = 0;  // posterior, ends of the central 95 %
+  double contraction = 0;                   // 1 - variance / variance of the prior, on the search's axis
+  Identifiability verdict = Identifiability::flat;
+  std::string partner;  // the parameter with the strongest correlation, and that, on the search's axes; "": there is no other
+  double correlation = 0;
+};
+
+struct ParameterPosterior {
+  Posterior posterior;  // on the search's axes
+  std::vector<ParameterInterval> parameters;
+};
+
+// Frames at the start that no statistic is taken from: a simulation starts with the recorded positions and velocities, but not with what no
+// recording shows, such as where its noise field is, and what follows while it settles is none of the recording's doing. The time L / V,
+// but at most a third of the recording.
+std::int64_t settling_frames(const Conditions& conditions);
+
+// The posterior of the model's searched parameters under a prior that is uniform on the search's axes, between its bounds. Every
+// simulation is of one recording with the same individuals and frames, so that it scatters as recordings do. Runs in parallel; a function
+// of its arguments, whatever the number of threads.
+ParameterPosterior posterior_of(const SearchSpace& space, const Objective& objective, const Conditions& conditions, const Target& target,
+                                const Rng& rng, const PosteriorOptions& options = {});
+
+}  // namespace swarmfit

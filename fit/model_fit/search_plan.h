@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// How one model is searched, whoever its rivals are.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "fit/experiment/conditions.h"
+#include "fit/model_fit/search_space.h"
+#include "fit/results/results.h"
+
+namespace swarmfit {
+
+// "quick", "default" or "thorough"; throws InputError naming them.
+Budget budget_named(const std::string& name);
+std::span<const Budget> budgets();
+
+// Thrown by whatever a callback has asked to stop.
+struct Interrupted {};
+
+struct SearchPlan {
+  ParameterRequests requests;
+  ConditionOptions conditions;
+  Budget budget = budget_named("default");
+  std::uint64_t seed = 1;
+  std::int64_t max_evaluations = 0;  // per model, over all passes; 0: none
+};
+
+}  // namespace swarmfit

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "fit/store/checkpoint.h"
+
+#include <fmt/format.h>
+
+#include "fit/store/bytes.h"
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr std::string_view kMagic = "swarmfit checkpoint 1\n";
+constexpr std::size_t kDigest = 64;  // hexadecimal digits
+constexpr std::uint32_t kLongest = 1u << 24;
+
+std::string sealed(const std::string& seal, std::string_view payload) { return sha256_hex(seal + std::string(payload)); }
+
+std::string head(const RunIdentity& run) {
+  return fmt::format("{}version {}\nrecording {}\nconfig {}\n", kMagic, run.version, run.recording, sha256_hex(run.config));
+}
+
+std::string_view line(std::string_view& text) {
+  const auto end = std::min(text.find('\n'), text.size());
+  const auto out = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return out;
+}
+
+// Of whose run is it? Throws unless of this one.
+void require_same_run(const std::string& path, std::string_view bytes, const RunIdentity& run) {
+  const auto refuse = [&](std::string_view what) {
+    throw InputError(fmt::format("{}: {}; expected the checkpoint of this very run (start it anew, or undo the change)", path, what));
+  };
+  std::string expected = head(run);
+  if (bytes.starts_with(expected)) return;
+  if (!bytes.starts_with(kMagic)) refuse("is no checkpoint, or its head is damaged");
+  std::string_view wanted = expected;
+  line(bytes), line(wanted);
+  if (const auto version = line(bytes); version != line(wanted)) refuse(fmt::format("was written by another {}", version.substr(0, 40)));
+  if (line(bytes) != line(wanted)) refuse("belongs to another recording, or the recording has changed");
+  refuse("belongs to a run with other settings: config.toml has changed");
+}
+
+}  // namespace
+
+Checkpoint::Checkpoint(std::string path, const RunIdentity& run, std::function<void()> prepare)
+    : path_(std::move(path)), head_(head(run)), prepare_(std::move(prepare)), seal_(sha256_hex(head_)) {}
+
+Checkpoint::Checkpoint(std::string path, const RunIdentity& run) : path_(std::move(path)), head_(head(run)), seal_(sha256_hex(head_)) {
+  const std::string bytes = read_file(path_);
+  require_same_run(path_, bytes, run);
+  file_.emplace(path_);
+  read(std::string_view(bytes).substr(head_.size()));
+}
+
+// Whole records up to the first that is not; the file is cut there.
+void Checkpoint::read(std::string_view records) {
+  Taker from(records);
+  std::size_t good = 0;
+  while (!from.empty()) {
+    const auto size = from.take<std::uint32_t>();
+    if (size < kDigest || size > kLongest) break;
+    const auto payload = from.text(size), seal = from.text(kDigest);
+    if (!from.whole() || seal != sealed(seal_, payload)) break;
+    seal_ = seal;
+    kept_.insert_or_assign(std::string(payload.substr(0, kDigest)), std::string(payload.substr(kDigest)));
+    good += sizeof size + payload.size() + seal.size();
+  }
+  if (good < records.size()) file_->truncate(head_.size() + good);
+}
+
+std::optional<std::string> Checkpoint::find(const std::string& key) const {
+  const std::lock_guard guard(lock_);
+  const auto it = kept_.find(key);
+  return it == kept_.end() ? std::nullopt : std::optional(it->second);
+}
+
+void Checkpoint::add(std::span<const Record> records) {
+  const std::lock_guard guard(lock_);
+  std::string bytes;
+  for (const auto& [key, value] : records) {
+    const std::string payload = key + value;
+    put(bytes, static_cast<std::uint32_t>(payload.size()));
+    seal_ = sealed(seal_, payload);
+    bytes += payload + seal_;
+  }
+  if (bytes.empty()) return;
+  if (!file_) {
+    prepare_();
+    file_.emplace(path_);
+    file_->truncate(0);
+    file_->append(head_);
+  }
+  file_->append(bytes);
+}
+
+std::size_t Checkpoint::size() const {
+  const std::lock_guard guard(lock_);
+  return kept_.size();
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "fit/study/parameter_recovery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "fit/compare/facts.h"
+#include "fit/experiment/time_step.h"
+#include "fit/store/kept.h"
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr double kMiddle = 0.9;  // share of each axis from which true values are drawn
+constexpr int kMostTries = 10;   // per recording
+
+bool reachable(const SearchSpace& space, const std::vector<double>& truth) {
+  const auto back = space.parameters(space.point(truth));
+  return std::all_of(space.searched().begin(), space.searched().end(),
+                     [&](std::size_t p) { return std::abs(back[p] - truth[p]) <= 1e-9 * std::abs(truth[p]); });
+}
+
+// Nothing if this recording carries no fit, or its fit would not search where the truth lies: bounds are in the recording's scales.
+std::optional<ParameterCase> one_case(const RecoveryOptions& options, const CompareOptions& compare, const std::vector<double>& truth,
+                                      std::uint64_t seed) {
+  const ModelChoice& model = options.planted.front();
+  const Tracks recording = planted_recording(model, truth, options.film, options.scales, seed);
+  Conditions conditions;
+  try {
+    conditions = make_conditions(recording, compare.conditions);
+    conditions.metrics.lags = lags_for(conditions, compare);
+  } catch (const InputError&) {
+    return {};
+  }
+  const SearchSpace space(model, conditions.scales, compare.requests);
+  if (!reachable(space, truth)) return {};
+  const Target target(recorded_samples(conditions.recording, conditions.metrics), compare.binning);
+  Objective objective(model, conditions, target);
+  if (compare.conditions.steps == 0 && !model.spec->is_map(model.options))
+    settle_steps(objective, target, {truth}, replicate_seeds({seed}, Stream::selection, compare.budget.selection.replicates));
+  const auto found = posterior_of(space, objective, conditions, target, Rng{seed}.derive(Stream::posterior, 0));
+  ParameterCase out{seed, {}, found.parameters, {}, {}, {}};
+  const Point place = space.point(truth);
+  for (std::size_t k = 0; k < space.searched().size(); ++k) {
+    const Marginal& m = found.posterior.marginals[k];
+    out.truth.push_back(truth[space.searched()[k]]);
+    out.truth_place.push_back(place[static_cast<Eigen::Index>(k)]);
+    out.median_place.push_back(m.median);
+    out.width.push_back(m.upper - m.lower);
+  }
+  return out;
+}
+
+ParameterCoverage coverage(const std::vector<ParameterCase>& cases, std::size_t k) {
+  ParameterCoverage out;
+  for (const ParameterCase& c : cases) {
+    const ParameterInterval& found = c.found[k];
+    out.name = found.name;
+    ++out.recordings;
+    out.covered += found.lower <= c.truth[k] && c.truth[k] <= found.upper;
+    out.identified += found.verdict == Identifiability::identified;
+    out.one_sided += found.verdict == Identifiability::one_sided;
+    out.flat += found.verdict == Identifiability::flat;
+    const double error = c.median_place[k] - c.truth_place[k];
+    out.bias += error;
+    out.rmse += error * error;
+    out.width += c.width[k];
+  }
+  out.bias /= out.recordings;
+  out.rmse = std::sqrt(out.rmse / out.recordings);
+  out.width /= out.recordings;
+  return out;
+}
+
+}  // namespace
+
+void put(std::string& to, const ParameterCase& one) {
+  put(to, one.seed);
+  put(to, one.truth);
+  put(to, static_cast<std::uint32_t>(one.found.size()));
+  for (const ParameterInterval& p : one.found) {
+    put(to, p.row);
+    put(to, p.name);
+    for (const double value : {p.median, p.lower, p.upper, p.contraction, p.correlation}) put(to, value);
+    put(to, p.verdict);
+    put(to, p.partner);
+  }
+  put(to, one.truth_place);
+  put(to, one.median_place);
+  put(to, one.width);
+}
+
+void take(Taker& from, ParameterCase& one) {
+  from.take(one.seed);
+  from.take(one.truth);
+  for (auto count = from.take<std::uint32_t>(); count > 0 && from.whole(); --count) {
+    ParameterInterval& p = one.found.emplace_back();
+    from.take(p.row);
+    from.take(p.name);
+    for (double* value : {&p.median, &p.lower, &p.upper, &p.contraction, &p.correlation}) from.take(*value);
+    from.take(p.verdict);
+    from.take(p.partner);
+  }
+  from.take(one.truth_place);
+  from.take(one.median_place);
+  from.take(one.width);
+}
+
+std::pair<int, int> coverage_band(int n, int tests) {
+  using Upwards = boost::math::policies::policy<boost::math::policies::discrete_quantile<boost::math::policies::integer_round_up>>;
+  const boost::math::binomial_distribution<double, Upwards> law(n, 0.95);
+  const double tail = 0.005 / tests;
+  return {static_cast<int>(quantile(law, tail)), static_cast<int>(quantile(law, 1 - tail))};
+}
+
+ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case, Checkpoint* checkpoint) {
+  const ModelChoice& model = options.planted.front();
+  const CompareOptions compare = with_shared_constants(options.compare, options.scales);
+  const SearchSpace prior(model, options.scales, compare.requests);
+  ParameterRecovery out{model.name, {}, {}, 0, 0, 0};
+  for (std::uint64_t seed = 1; static_cast<int>(out.cases.size()) < options.seeds; ++seed) {
+    Point x(prior.dimensions());
+    for (Eigen::Index a = 0; a < x.size(); ++a)
+      x[a] = 0.5 + kMiddle * (Rng{seed}.uniform(Stream::probe, 0, static_cast<std::uint32_t>(a)) - 0.5);
+    if (auto one = kept<ParameterCase>(checkpoint, fmt::format("case {}", seed),
+                                       [&] { return one_case(options, compare, prior.parameters(x), seed); }))
+      out.cases.push_back(std::move(*one));
+    else if (++out.left_out > kMostTries * options.seeds)
+      break;
+    if (on_case && !on_case(out.cases.size())) throw Interrupted{};
+  }
+  for (std::size_t k = 0; !out.cases.empty() && k < prior.searched().size(); ++k) out.parameters.push_back(coverage(out.cases, k));
+  const int tests = std::max<int>(1, static_cast<int>(out.parameters.size()));
+  std::tie(out.fewest, out.most) = coverage_band(static_cast<int>(out.cases.size()), tests);
+  return out;
+}
+
+}  // namespace swarmfit

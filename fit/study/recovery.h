@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Model recovery: recordings made by each model in turn are compared with all of them. Which model wins on whose recording?
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fit/compare/compare.h"
+#include "fit/experiment/plant.h"
+#include "fit/store/checkpoint.h"
+
+namespace swarmfit {
+
+class Taker;
+
+struct RecoveryOptions {
+  std::vector<ModelChoice> planted;  // models that make recordings; compare.models must hold them, and may hold more
+  std::map<std::string, std::map<std::string, double>> set;  // planted parameters by model name, physical units; others as below
+  CompareOptions compare;
+  PlantOptions film;  // length, group and camera; its seed, start and scales are not used
+  Scales scales;      // of the planted swarms: parameters are the defaults of the fit table in these scales
+  int seeds = 10;     // recordings per model
+  double spread = 2;  // planted values of fitted parameters are multiplied by up to this factor, or divided, anew for every recording
+};
+
+struct RecoveryCase {
+  std::size_t planted;             // index into RecoveryOptions::planted
+  std::uint64_t seed;              // of the recording and of the comparison
+  std::vector<double> parameters;  // planted, one per row of the model's table
+  std::vector<std::string> order;  // models by rank, those without a score last
+  std::vector<double> scores;      // in that order
+  std::vector<double> score_se;
+  std::vector<int> group;  // those of one group cannot be told apart (Certainty::group)
+  std::vector<double> goodness_p;
+  int rank_of_planted = 0;  // 0: its score is undefined
+};
+
+struct Recovery {
+  std::vector<std::string> planted, compared;   // canonical names
+  std::vector<std::vector<double>> parameters;  // about which they are planted, one per row of each model's table
+  std::vector<RecoveryCase> cases;              // by planted model, then seed
+  std::vector<std::vector<int>> confusion;      // planted × compared: how often was it ranked first?
+};
+
+// Planted parameters of a model: the fit table's defaults in these scales, with some set by name. Throws InputError on an unknown name.
+std::vector<double> planted_parameters(const ModelChoice& model, const Scales& scales, const std::map<std::string, double>& set = {});
+
+// The same with every fitted parameter that is not in `set` multiplied by spread^u, u uniform on [-1, 1] and drawn from the seed, and kept
+// within the fit bounds. A search starts at the defaults: what it is to recover must lie elsewhere.
+std::vector<double> varied(const ModelChoice& model, std::vector<double> parameters, const Scales& scales, double spread,
+                           std::uint64_t seed, const std::map<std::string, double>& set = {});
+
+// One planted recording: agents start in a ball (disc) with the rms radius of the scales, at their speed, and are filmed after a warm-up of
+// two times L / V.
+Tracks planted_recording(const ModelChoice& model, const std::vector<double>& parameters, PlantOptions film, const Scales& scales,
+                         std::uint64_t seed);
+
+// Options under which parameters that are not fitted have the same values, and time steps the same length, in the planted swarms and in all
+// models compared with them, whatever scales a planted recording turns out to have; values that were set already stay.
+CompareOptions with_shared_constants(CompareOptions compare, const Scales& scales);
+
+// What a comparison of a planted recording says of the model that made it.
+RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::uint64_t seed, std::vector<double> parameters,
+                           const Comparison& result);
+
+// A case as bytes (fit/store/kept.h).
+void put(std::string& to, const RecoveryCase& one);
+void take(Taker& from, RecoveryCase& one);
+
+// Appends a case and counts its winner.
+void add_case(Recovery& recovery, RecoveryCase one);
+
+// How a study of many comparisons is watched, and where it finds and keeps those that are done.
+struct StudyHooks {
+  OnCompareProgress on_progress{};  // of the comparison it is at
+  Checkpoint* checkpoint = nullptr;
+};
+
+// Called after every case, from the checkpoint or not; returning false interrupts (Interrupted is thrown).
+using OnRecoveryCase = std::function<bool(const RecoveryCase&)>;
+Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case = {}, const StudyHooks& hooks = {});
+
+}  // namespace swarmfit

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What a reader hands over: rows as they stand in the file. One function turns them into Tracks, the same for every format.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "libtrack/read/columns.h"
+#include "libtrack/read/read.h"
+
+namespace swarmfit {
+
+// Numbers the individuals by name. "7" and "7.0" are the same one.
+class TrackNames {
+ public:
+  std::uint32_t number(std::string_view name);
+  std::uint32_t number(std::uint32_t integer);  // the same as number(std::to_string(integer)), only faster
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::uint32_t> by_integer_;  // 1 + number of the individual named 0, 1, 2, ...; 0: not seen yet
+  std::unordered_map<std::string, std::uint32_t> by_name_;
+};
+
+struct RawTable {
+  static constexpr std::uint32_t no_track = 0xFFFFFFFF;  // a row that belongs to nobody; it is dropped and counted
+
+  std::string file;  // for messages
+  TrackNames names;
+  std::vector<std::uint32_t> track;
+  std::array<std::vector<double>, kNumberColumns> number;  // by FileColumn; empty when the file has none; position NaN: not seen
+  std::vector<std::uint32_t> line;                         // source line of every row; empty: rows have no lines
+  std::string row_name = "row";                            // what to call a row without a line
+  std::vector<std::int64_t> episodes;
+
+  double dt = 0;     // frame interval stated in the file [s]; 0: none
+  double t0 = 0;     // time of frame 0, when dt is stated
+  std::string unit;  // stated in the file; empty: none
+  std::string columns, format;
+  std::vector<std::string> notes;
+  bool synthetic = false;
+
+  std::vector<double>& operator[](FileColumn c) { return number[static_cast<std::size_t>(c)]; }
+  const std::vector<double>& operator[](FileColumn c) const { return number[static_cast<std::size_t>(c)]; }
+  bool has(FileColumn c) const { return !(*this)[c].empty(); }
+  std::string place(std::size_t row) const;  // "file:line", or "file: row 17"
+};
+
+// Turns raw rows into Tracks: frame numbers and frame interval, unit, selection, duplicates, gaps. Throws InputError.
+Tracks assemble(RawTable table, const ReadOptions& options, std::string sha256);
+
+}  // namespace swarmfit

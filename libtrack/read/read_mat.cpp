@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// MATLAB .mat files: a two-dimensional table of rows, or the herding drives of Jadhav et al. 2024.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "libtrack/error.h"
+#include "libtrack/read/formats.h"
+#include "libtrack/read/mat_drives.h"
+#include "libtrack/read/mat_file.h"
+
+namespace swarmfit {
+namespace {
+
+// Ling et al., Nature Communications 10:5174 (2019), jackdaw flocks: `tracks` has 11 columns, the smoothed `tracks_filt` also the
+// wingbeat frequency.
+constexpr std::string_view kLingColumns = "id,x,y,z,t,vx,vy,vz,ax,ay,az";
+
+bool recognises(const Source& source, const ReadOptions&) {
+  return source.bytes.starts_with("MATLAB 5.0 MAT-file") || source.bytes.starts_with("MATLAB 7.3 MAT-file");
+}
+
+bool is_table(const MatVariable& v) { return v.numeric && v.dims.size() == 2 && v.dims[0] >= 2 && v.dims[1] >= 3; }
+
+std::string all_names(const MatVariables& variables) {
+  std::vector<std::string> names;
+  for (const auto& v : variables) names.push_back(v.shown());
+  return listed(names);
+}
+
+const MatVariable& choose_table(const MatVariables& variables, const std::string& file, const ReadOptions& options) {
+  if (!options.variable.empty()) {
+    if (const auto* v = find(variables, options.variable)) return *v;
+    throw InputError(fmt::format("--var: {} has no variable '{}'; expected one of {}", file, options.variable, all_names(variables)));
+  }
+  for (const auto* usual : {"tracks_filt", "tracks"})
+    if (const auto* v = find(variables, usual); v && is_table(*v)) return *v;
+  const auto tables = std::count_if(variables.begin(), variables.end(), is_table);
+  if (tables == 1) return *std::find_if(variables.begin(), variables.end(), is_table);
+  throw InputError(fmt::format("{}: {} among its variables {}; expected --var NAME", file,
+                               tables == 0 ? "there is no table of rows" : "there are several tables", all_names(variables)));
+}
+
+ColumnMap find_map(const MatVariable& variable, const MatArray& table, const Source& source, const ReadOptions& options) {
+  const std::size_t count = table.dims[1];
+  if (!options.columns.empty()) return map_columns(options.columns, {}, count);
+  const bool ling = (variable.name == "tracks_filt" && count == 12) || (variable.name == "tracks" && count == 11);
+  if (ling) return map_columns(std::string(kLingColumns) + (count == 12 ? ",_" : ""), {}, count);
+  std::string row;
+  for (std::size_t c = 0; c < std::min<std::size_t>(count, 12); ++c)
+    row += fmt::format("{}{:.6g}", c > 0 ? "," : "", table.value[c * table.dims[0]]);
+  throw InputError(
+      fmt::format("{}: nothing says what the {} columns of '{}' are; expected --columns, such as --columns id,x,y,z,t; the first row is {}",
+                  source.name, count, variable.name, row));
+}
+
+void add_ids(RawTable& table, const double* value, std::size_t rows) {
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double id = value[i];
+    if (std::isnan(id))
+      table.track.push_back(RawTable::no_track);
+    else if (id >= 0 && id < 1e9 && id == std::floor(id))
+      table.track.push_back(table.names.number(static_cast<std::uint32_t>(id)));
+    else
+      table.track.push_back(table.names.number(fmt::format("{}", id)));
+  }
+}
+
+// A number that no later step can use is refused where its row is known.
+void check_column(const RawTable& table, FileColumn column, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isinf(values[i])) throw InputError(table.place(i) + ": the value is infinite; expected a finite number");
+    if (column == FileColumn::t && std::isnan(values[i]))
+      throw InputError(table.place(i) + ": the time is missing; expected a time in every row");
+    if (column == FileColumn::frame && !(values[i] == std::floor(values[i]) && std::abs(values[i]) < 9e15))
+      throw InputError(fmt::format("{}: the frame number {} is not an integer; expected whole frames", table.place(i), values[i]));
+  }
+}
+
+RawTable read_table(const MatFile& mat, const Source& source, const ReadOptions& options) {
+  const auto& variable = choose_table(mat.variables, source.name, options);
+  const auto& array = mat.array.at(variable.name);
+  if (array.dims.size() != 2 || array.value.empty())
+    throw InputError(fmt::format("{}: variable '{}' is not a table; expected rows and columns", source.name, variable.shown()));
+  const auto map = find_map(variable, array, source, options);
+  const std::size_t rows = array.dims[0];
+  RawTable table;
+  table.file = source.name;
+  table.row_name = fmt::format("variable '{}' row", variable.name);
+  table.columns = map.spec;
+  if (!map.has(FileColumn::id)) {
+    table.track.assign(rows, table.names.number(std::uint32_t{1}));
+    table.notes.push_back("the file has no id column: all rows are one individual");
+  }
+  for (std::size_t c = 0; c < map.of.size(); ++c) {
+    const double* values = array.value.data() + c * rows;
+    if (map.of[c] == FileColumn::id) add_ids(table, values, rows);
+    if (static_cast<std::size_t>(map.of[c]) >= kNumberColumns) continue;
+    table[map.of[c]].assign(values, values + rows);
+    check_column(table, map.of[c], table[map.of[c]]);
+  }
+  return table;
+}
+
+RawTable read(const Source& source, const ReadOptions& options) {
+  const auto drives = [&](const MatVariables& variables) { return options.variable.empty() && has_drives(variables); };
+  const MatFile mat = read_mat_file(source.name, source.bytes, [&](const MatVariables& variables) {
+    return drives(variables) ? drive_variables(variables) : std::vector{choose_table(variables, source.name, options).name};
+  });
+  RawTable table = drives(mat.variables) ? read_drives(mat, source.name) : read_table(mat, source, options);
+  table.format = kMatlab.format.name;
+  return table;
+}
+
+}  // namespace
+
+const Reader kMatlab = {{"mat", "MATLAB 5 and 7.3: a table of rows, or the arrays pos_ev_k of herding drives", ".mat"}, recognises, read};
+
+}  // namespace swarmfit

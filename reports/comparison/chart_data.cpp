@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "reports/comparison/chart_data.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/comparison/tables.h"
+#include "reports/comparison/words.h"
+#include "reports/write/page.h"
+#include "reports/write/unit_text.h"
+
+namespace swarmfit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Five digits are more than a screen can show and keep the page small.
+Json short_number(double value) { return std::isfinite(value) ? Json::parse(fmt::format("{:.5g}", value)) : Json(); }
+
+template <class Values>
+Json short_numbers(const Values& values) {
+  Json out = Json::array();
+  for (const double value : values) out.push_back(short_number(value));
+  return out;
+}
+
+Json metric_data(const Comparison& c, std::size_t m) {
+  const Column& column = c.columns[m];
+  Json models = Json::array();
+  for (const FitResult& r : c.models) models.push_back(short_numbers(physical_density(r.distributions[m].histogram, c.axis_width[m])));
+  const auto [lower, upper] = physical_band(c, m);
+  return {{"key", column.key()},
+          {"symbol", column.symbol()},
+          {"name", column.name()},
+          {"unit", metric_unit(column.metric, c.data.unit)},
+          {"density_unit", density_unit(column.metric, c.data.unit)},
+          {"counts", counts(c, m)},
+          {"lower", c.axis_lower[m]},
+          {"width", c.axis_width[m]},
+          {"recording", short_numbers(physical_density(c.recording[m].histogram, c.axis_width[m]))},
+          {"band", {short_numbers(lower), short_numbers(upper)}},
+          {"models", std::move(models)}};
+}
+
+Json model_data(const FitResult& r) {
+  Json convergence = Json::array();
+  for (const ConvergencePoint& p : r.convergence) convergence.push_back({p.pass, p.evaluations, short_number(p.best)});
+  return {{"name", r.model},
+          {"energies", short_numbers(r.raw_energies)},
+          {"errors", short_numbers(r.raw_se)},
+          {"convergence", std::move(convergence)}};
+}
+
+}  // namespace
+
+std::string chart_data(const Comparison& c) {
+  Json metrics = Json::array(), models = Json::array(), history = Json::array();
+  for (std::size_t m = 0; m < c.columns.size(); ++m) metrics.push_back(metric_data(c, m));
+  for (const FitResult& r : c.models) models.push_back(model_data(r));
+  for (const WeightStep& s : c.weight_history) history.push_back({{"pass", s.pass}, {"weights", short_numbers(s.weights)}});
+  const Json data = {{"metrics", std::move(metrics)},
+                     {"models", std::move(models)},
+                     {"weights", short_numbers(c.weights)},
+                     {"history", std::move(history)}};
+  return embedded(data.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace swarmfit

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What reports/comparison/figures.cpp puts together. A figure without SVG has nothing to show.
+#pragma once
+
+#include "reports/comparison/figures.h"
+#include "reports/draw/plot.h"
+
+namespace swarmfit::parts {
+
+Figure densities(const Comparison&);  // all columns, a row per lag
+Figure density_of(const Comparison&, std::size_t column);
+Figure scores(const Comparison&);
+Figure energies(const Comparison&);
+Figure convergence(const Comparison&);
+Figure parameters(const Comparison&);
+
+// Columns in the order in which they are drawn: those of motion lag by lag, then d and eta.
+std::vector<std::size_t> drawing_order(const Comparison&);
+// "lag 4 (0.04 s)"; empty if there is only one lag, and for d and eta.
+std::string lag_title(const Comparison&, std::size_t column);
+// Entries for all models in the order of their ranks.
+std::vector<plot::Entry> model_entries(const Comparison&, plot::Sample);
+
+}  // namespace swarmfit::parts

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// The parts about how a result came about: parameters, search, observation, methods, provenance.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/comparison/html_sections.h"
+#include "reports/comparison/methods.h"
+#include "reports/comparison/words.h"
+#include "reports/write/number.h"
+
+namespace swarmfit::sections {
+
+namespace {
+
+using Cells = std::vector<HtmlTable::Cell>;
+
+// Where a value lies between its bounds, 0..1, on the scale on which it was searched.
+double place(const ParameterResult& p) {
+  if (!p.fitted || !(p.upper > p.lower)) return NAN;
+  if (p.log) return std::log(p.value / p.lower) / std::log(p.upper / p.lower);
+  return (p.value - p.lower) / (p.upper - p.lower);
+}
+
+Html parameter_table(const FitResult& r) {
+  HtmlTable table(fmt::format("Parameters of {}", r.model));
+  const bool posterior = r.posterior.simulations > 0;
+  Cells head = {column("parameter"),           column("symbol"),   column("value", true),         column("unit"),
+                column("searched from", true), column("to", true), column("place between bounds")};
+  if (posterior) head.insert(head.end(), {column("95 %", true), column("verdict"), column("goes with")});
+  head.push_back(column("meaning"));
+  table.head(head);
+  for (const ParameterResult& p : r.parameters) {
+    Html where = place_drawing(place(p), p.at_bound);
+    if (p.at_bound) where += markup(" <span class=\"flag\">on a bound</span>");
+    if (!p.fitted) where = markup("<span class=\"note\">not searched</span>");
+    Cells cells = {name_cell(escaped(p.name)),
+                   text_cell(p.symbol),
+                   number_cell(rounded(p.value, 4)),
+                   text_cell(p.unit),
+                   number_cell(p.fitted ? rounded(p.lower) : ""),
+                   number_cell(p.fitted ? rounded(p.upper) : ""),
+                   {.content = where}};
+    if (posterior)
+      cells.insert(cells.end(), {number_cell(p.fitted ? interval_text(p.posterior) : ""), text_cell(p.posterior.verdict),
+                                 text_cell(partner_text(p.posterior))});
+    cells.push_back(text_cell(p.meaning));
+    table.row(cells);
+  }
+  return table.html();
+}
+
+// The largest change of a raw energy when the time step is halved, among the metrics that count.
+double half_step_change(const Comparison& c, const FitResult& r) {
+  double largest = NAN;
+  for (std::size_t m = 0; m < c.columns.size(); ++m) {
+    const double change = std::abs(r.half_step_energies[m] - r.raw_energies[m]);
+    if (counts(c, m) && std::isfinite(change)) largest = std::isfinite(largest) ? std::max(largest, change) : change;
+  }
+  return largest;
+}
+
+std::string error_text(const Comparison& c) {
+  const ObservationFacts& o = c.observation;
+  if (o.error_source == "none") return "none added";
+  if (o.white && o.sigma.isZero()) return "none added: what was estimated would not show in any metric";
+  return fmt::format("{} ({}{})", sigma_text(c), o.error_source, o.error_source == "estimate" && !o.white ? ", but not white" : "");
+}
+
+std::string smoothing_text(const Comparison& c) {
+  return c.observation.smoothing > 0 ? fmt::format("Gaussian, {} frames, on both sides", brief(c.observation.smoothing)) : "none";
+}
+
+}  // namespace
+
+Html parameters(const Comparison& c) {
+  Html out;
+  for (std::size_t k = 0; k < c.models.size(); ++k) {
+    const FitResult& r = c.models[k];
+    Html title = key_drawing(k);
+    title += escaped(r.model);
+    out += Html{k == 0 ? "<details open>" : "<details>"};
+    out += element("summary", "", title);
+    if (!r.summary.empty()) out += element("p", "note", escaped(r.summary));
+    out += parameter_table(r);
+    if (r.posterior.simulations > 0) out += element("p", "note", escaped(what_posteriors_mean()));
+    out += markup("</details>\n");
+  }
+  return out;
+}
+
+Html search(const Comparison& c) {
+  HtmlTable table("What the search did");
+  table.head({column("model"), column("candidates tried", true), column("simulations", true), column("blew up", true),
+              column("final runs blown up", true), column("ended because"), column("steps per frame", true),
+              column("largest change at half the step", true), column("without collision-free velocity", true)});
+  for (std::size_t k = 0; k < c.models.size(); ++k) {
+    const FitResult& r = c.models[k];
+    Html name = key_drawing(k);
+    name += escaped(r.model);
+    table.row({name_cell(name), number_cell(counted(r.evaluations)), number_cell(counted(r.simulations)),
+               number_cell(counted(r.failed_simulations)), number_cell(percent(r.failed_final)), text_cell(r.stop_reason),
+               number_cell(std::to_string(r.steps)), number_cell(fixed(half_step_change(c, r), 2)),
+               number_cell(percent(r.infeasible_avoidance))});
+  }
+  Html out = table.html();
+  out += element(
+      "p", "note",
+      markup(
+          "Largest change at half the step: of any raw energy that counts, when the same parameters are simulated with half the time step. "
+          "Without collision-free velocity: share of agents and steps of the final simulations."));
+  return out;
+}
+
+Html observation(const Comparison& c) {
+  const ObservationFacts& o = c.observation;
+  Html facts = fact("presence of individuals", o.presence == "recorded" ? "as recorded, gaps included" : o.presence);
+  facts += fact("arena", o.arena);
+  if (o.unseen > 0) facts += fact("simulated beside the tracked ones", counted(o.unseen, "individual"));
+  facts += fact("localisation error", error_text(c));
+  facts += fact("smoothing", smoothing_text(c));
+  facts += fact("velocities", o.velocity == "recorded" ? "the recording's own" : "differences of positions");
+  Html out = element("p", "", markup("Simulated positions went through the same observation as the animals before anything was compared."));
+  out += element("dl", "facts", facts);
+
+  HtmlTable table("How much of each metric is measurement error, and how many independent samples the recording is worth");
+  table.head({column("metric"), column(""), column("share of variance", true), column("independent samples", true), column("in the score"),
+              column("why not, or not in full")});
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    table.row({name_cell(escaped(c.columns[m].name())), text_cell(c.columns[m].symbol()), number_cell(percent(o.error_share[m])),
+               number_cell(brief(o.independent[m], 2)),
+               text_cell(!counts(c, m)  ? "no"
+                         : o.drowned[m] ? "beyond the error"
+                                        : "yes"),
+               text_cell(why_left_out(c, m))});
+  out += table.html();
+  return out;
+}
+
+Html methods(const Comparison& c) {
+  Html out;
+  for (const std::string& paragraph : swarmfit::methods(c).paragraphs) out += element("p", "", escaped(paragraph));
+  return out;
+}
+
+Html references(const Comparison& c) {
+  Html out;
+  for (const std::string& reference : swarmfit::methods(c).references) out += element("li", "", escaped(reference));
+  return out;
+}
+
+std::string size_text(const SearchSize& s) { return fmt::format("{} × {} on {} replicates", s.population, s.generations, s.replicates); }
+
+Html provenance(const Comparison& c) {
+  Html out = fact("version", c.version);
+  out += fact("seed", std::to_string(c.seed));
+  out += fact("protocol", c.protocol);
+  out += fact("common parameters", fmt::format("{}", fmt::join(c.common, ", ")));
+  out += fact("budget", fmt::format("{}: scout {} × {}, search {}, selection {}, confirmation on {}, report on {} replicates",
+                                    c.budget.name, c.budget.scout.rounds, c.budget.scout.simulations, size_text(c.budget.search),
+                                    size_text(c.budget.selection), c.budget.confirmation_replicates, c.budget.final_replicates));
+  out += fact("calibration", c.mean_weights ? "each pass searches under the mean of all weights so far"
+                                            : "each pass searches under the last weights, as published");
+  out += fact("read as", c.data.format);
+  out += fact("columns", c.data.columns);
+  out += fact("SHA-256 of the recording", c.data.sha256, true);
+  for (const std::string& note : c.data.notes) out += fact("repaired while reading", note, true);
+  return out;
+}
+
+}  // namespace swarmfit::sections

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The parts of a report's page that depend on the result; the rest stands in assets/report.html.
+#pragma once
+
+#include "fit/results/results.h"
+#include "reports/write/html_table.h"
+
+namespace swarmfit::sections {
+
+Html badge(const Comparison&);  // "synthetic data"
+Html data_facts(const Comparison&);
+Html warnings(const Comparison&);  // nothing if there are none
+Html ranking(const Comparison&);
+Html motion(const Comparison&);       // films of the recording and every model, a section of its own; nothing without a film
+Html legend(const Comparison&);       // check boxes of the charts
+Html pdf_figures(const Comparison&);  // an empty canvas per column
+Html pdf_note(const Comparison&);
+Html band_note(const Comparison&);  // nothing if there is no band
+Html moments(const Comparison&);    // mean and sd of every model against the recording
+Html weights(const Comparison&);
+Html lags(const Comparison&);  // which lag carried the decision
+Html weights_converged(const Comparison&);
+Html parameters(const Comparison&);
+Html search(const Comparison&);
+Html observation(const Comparison&);
+Html methods(const Comparison&);  // paragraphs to paste
+Html references(const Comparison&);
+Html skill(const Comparison&);    // distances, floor and null; interaction
+Html without(const Comparison&);  // rankings with one model left out
+Html panel(const Comparison&);    // what was not fitted
+Html provenance(const Comparison&);
+
+}  // namespace swarmfit::sections

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "reports/comparison/ranking_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "reports/comparison/words.h"
+#include "reports/draw/sparkline.h"
+#include "reports/write/number.h"
+#include "reports/write/plain_text.h"
+
+namespace swarmfit {
+
+namespace {
+
+std::string symbol_of(const Column& column, TextStyle style) { return style.unicode ? column.symbol() : column.key(); }
+
+std::string data_line(const DataFacts& d) {
+  return fmt::format("{}{} · {}-D · {} · {} at {} s · {} individuals per frame", printable(d.path), d.synthetic ? " (synthetic)" : "",
+                     d.dims, counted(static_cast<std::int64_t>(d.tracks), "track"), counted(static_cast<std::int64_t>(d.frames), "frame"),
+                     brief(d.dt), brief(d.individuals_per_frame, 3));
+}
+
+std::string rank_and_group(const FitResult& r) { return r.rank > 0 ? fmt::format("{} {}", r.rank, group_letter(r)) : kUndefined; }
+
+Paint paint_of(const FitResult& r) { return r.rank == 1 ? Paint::good : Paint::plain; }
+
+TextTable ranking_table(const Comparison& c, TextStyle style) {
+  std::vector<std::string> head = {"rank", "model", "score", "95 %", "fit p", "skill"};
+  if (c.hold_out.used) head.insert(head.end(), {"held out", "gap"});
+  std::vector<Align> align(head.size(), Align::right);
+  align[1] = Align::left;
+  TextTable table(align, style);
+  table.row(head, Paint::bold);
+  for (const FitResult& r : c.models) {
+    std::vector<std::string> cells = {rank_and_group(r),
+                                      r.model + (at_bounds(r).empty() ? "" : " *"),
+                                      fixed(r.score, 3),
+                                      score_interval(r),
+                                      fixed(r.certainty.goodness_p, 2),
+                                      fixed(r.skill.value, 2)};
+    if (c.hold_out.used) cells.insert(cells.end(), {held_out_score(r), fixed(r.score - r.held_out.score, 3)});
+    table.row(cells, paint_of(r));
+  }
+  if (std::isfinite(c.skill.walker.value)) table.row({"", std::string(kWalk), "", "", "", fixed(c.skill.walker.value, 2)}, Paint::dim);
+  return table;
+}
+
+// The columns of one lag; d and eta, which have none, beside those of the first.
+TextTable energy_table(const Comparison& c, std::size_t first, TextStyle style) {
+  const std::size_t count = std::min(first == 0 ? kMetrics : kMotionMetrics, c.columns.size() - first);
+  std::vector<Align> align(count + 1, Align::right);
+  align.front() = Align::left;
+  TextTable table(align, style);
+  const int lag = c.columns[first].lag;
+  const bool several = c.columns.size() > kMetrics;
+  std::vector<std::string> head = {several ? fmt::format("raw energy at lag {}, {} s", lag, brief(lag * c.data.dt)) : "raw energy"};
+  std::vector<std::string> weights = {"weight in score"};
+  for (std::size_t m = first; m < first + count; ++m) {
+    head.push_back(marked(c, m, symbol_of(c.columns[m], style)));
+    weights.push_back(counts(c, m) ? fixed(c.weights[m], 2) : kUndefined);
+  }
+  table.row(head, Paint::bold);
+  for (const FitResult& r : c.models) {
+    std::vector<std::string> cells = {r.model};
+    for (std::size_t m = first; m < first + count; ++m) cells.push_back(fixed(r.raw_energies[m], 2));
+    table.row(cells, paint_of(r));
+  }
+  table.row(weights, Paint::dim);
+  return table;
+}
+
+std::string energy_tables(const Comparison& c, TextStyle style) {
+  std::string out;
+  for (std::size_t first = 0; first < c.columns.size(); first += first == 0 ? kMetrics : kMotionMetrics)
+    out += '\n' + energy_table(c, first, style).text();
+  return out;
+}
+
+std::vector<std::string> left_out(const Comparison& c, TextStyle style) {
+  std::vector<std::string> out;
+  for (std::size_t m = 0; m < c.columns.size(); ++m)
+    if (!counts(c, m)) out.push_back(fmt::format("({}) {}: {}", symbol_of(c.columns[m], style), c.columns[m].name(), why_left_out(c, m)));
+  return out;
+}
+
+constexpr std::string_view kGroup = "group_msd_";
+
+struct Shown {
+  std::size_t item;  // of the panel
+  std::string title;
+  bool root;  // of a square
+};
+
+// A few of the panel, in its order.
+std::vector<Shown> shown_of_panel(const Comparison& c) {
+  const std::map<std::string_view, std::string_view> titles{{"vacf_zero", "VACF zero [s]"},
+                                                            {"k_x", "k_x [1/s²]"},
+                                                            {"polarisation", "polarisation"},
+                                                            {"nearest_ratio", "d/Poisson"},
+                                                            {"kurtosis", "kurtosis a"}};
+  std::vector<Shown> out;
+  for (std::size_t k = 0; k < c.panel.items.size(); ++k) {
+    const std::string& key = c.panel.items[k].key;
+    if (const auto at = titles.find(key); at != titles.end()) out.push_back({k, std::string(at->second), false});
+    if (key.starts_with(kGroup)) out.push_back({k, fmt::format("drift [{}]", c.data.unit), true});
+  }
+  return out;
+}
+
+// A few of the observables that were not fitted, the recording in the first row.
+std::string panel_text(const Comparison& c, TextStyle style) {
+  if (c.panel.recording.empty()) return {};
+  const auto shown = shown_of_panel(c);
+  std::vector<Align> align(shown.size() + 1, Align::right);
+  align.front() = Align::left;
+  TextTable table(align, style);
+  std::vector<std::string> head = {"not fitted"};
+  for (const Shown& s : shown) head.push_back(s.title);
+  table.row(head, Paint::bold);
+  const auto row = [&](const std::string& name, const std::vector<Estimate>& values, Paint paint) {
+    std::vector<std::string> cells = {name};
+    for (const Shown& s : shown) {
+      const double value = s.item < values.size() ? values[s.item].value : NAN;
+      cells.push_back(rounded(s.root ? std::sqrt(value) : value, 2));
+    }
+    table.row(cells, paint);
+  };
+  row("recording", c.panel.recording, Paint::plain);
+  for (const FitResult& r : c.models) row(r.model, r.panel, r.rank == 1 ? Paint::good : Paint::plain);
+  return '\n' + table.text();
+}
+
+// What the recording says about the parameters of every model that has a posterior.
+std::string posterior_text(const Comparison& c, TextStyle style) {
+  std::string out;
+  for (const FitResult& r : c.models) {
+    if (r.posterior.simulations == 0) continue;
+    TextTable table({Align::left, Align::right, Align::right, Align::right, Align::left, Align::left, Align::left}, style);
+    table.row({r.model, "best", "median", "95 %", "unit", "verdict", "goes with"}, Paint::bold);
+    for (const ParameterResult& p : r.parameters)
+      if (!p.posterior.verdict.empty())
+        table.row({p.name, rounded(p.value), rounded(p.posterior.median), interval_text(p.posterior), p.unit, p.posterior.verdict,
+                   partner_text(p.posterior)},
+                  p.posterior.verdict == "flat" ? Paint::dim : Paint::plain);
+    out += '\n' + table.text();
+  }
+  if (!out.empty()) out += paragraph(what_posteriors_mean(), " ");
+  return out;
+}
+
+std::string shapes_of(const Comparison& c, TextStyle style) {
+  Shapes s{{{"recording", &c.recording}}, c.columns, c.axis_lower, c.axis_width, c.data.unit};
+  for (const FitResult& r : c.models) s.rows.push_back({r.model, &r.distributions, paint_of(r)});
+  const std::string text = shapes_text(s, 0, "distribution", style);
+  return text.empty() ? text : '\n' + text + paragraph(what_shapes_mean(c.binning), " ");
+}
+
+bool any_on_bounds(const Comparison& c) {
+  return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return !at_bounds(r).empty(); });
+}
+
+std::vector<std::string> failures(const Comparison& c) {
+  std::vector<std::string> out;
+  for (const FitResult& r : c.models)
+    if (r.failed_simulations > 0)
+      out.push_back(fmt::format("{}: {} of {} simulations", r.model, counted(r.failed_simulations), counted(r.simulations)));
+  return out;
+}
+
+}  // namespace
+
+std::string ranking_text(const Comparison& c, TextStyle style) {
+  const Headline answer = headline(c);
+  std::string out = paragraph(data_line(c.data)) + '\n';
+  out += paint(wrapped(printable(answer.sentence), kTextWidth), Paint::bold, style) + '\n';
+  out += paragraph(answer.detail) + '\n';
+
+  out += ranking_table(c, style).text();
+  if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
+  if (const std::string ranks = what_ranks_mean(c); !ranks.empty()) out += paragraph(ranks, " ");
+  if (c.hold_out.used) out += paragraph(what_held_out_means(c), " ");
+  if (const std::string skill = what_skill_means(c); !skill.empty()) out += paragraph("skill: " + skill, " ");
+  if (const std::string fixed = kept_fixed(c); !fixed.empty()) out += paragraph("kept fixed: " + fixed, " ");
+  out += paragraph("steps per frame: " + steps_taken(c), " ");
+
+  out += energy_tables(c, style);
+  out += paragraph("raw energy: " + what_energy_means(c), " ");
+  if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += paragraph(drowned, " ");
+  if (const std::string lags = lag_weights(c) + lags_measured(c); !lags.empty()) out += paragraph(lags, " ");
+  out += shapes_of(c, style);
+  out += panel_text(c, style);
+  out += posterior_text(c, style);
+
+  out += bullets("In brackets: shown, but left out of the score", left_out(c, style), Paint::bold, style);
+  out += bullets("Simulations that blew up (counted as the worst energy)", failures(c), Paint::warning, style);
+  out += bullets("Before you believe this table", c.warnings, Paint::warning, style);
+  return finished(std::move(out), style);
+}
+
+std::string weights_text(const WeighedTable& table, TextStyle style) {
+  std::vector<Align> align = {Align::left, Align::right};
+  align.insert(align.end(), table.metrics.size(), Align::right);
+  TextTable t(align, style);
+  std::vector<std::string> head = {"model", "score"}, weights = {"weight", ""};
+  for (std::size_t j = 0; j < table.metrics.size(); ++j) {
+    head.push_back(printable(table.metrics[j]));
+    weights.push_back(fixed(table.weighting.weights[j], 4));
+  }
+  t.row(head, Paint::bold);
+  for (std::size_t i = 0; i < table.models.size(); ++i) {
+    std::vector<std::string> cells = {printable(table.models[i]), fixed(table.scores[i], 4)};
+    for (Index j = 0; j < table.energies.cols(); ++j) cells.push_back(rounded(table.energies(static_cast<Index>(i), j), 4));
+    t.row(cells);
+  }
+  t.row(weights, Paint::dim);
+  return finished(t.text(), style);
+}
+
+}  // namespace swarmfit

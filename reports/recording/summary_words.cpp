@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "reports/recording/summary_words.h"
+
+#include <fmt/format.h>
+
+#include "reports/comparison/words.h"
+#include "reports/write/number.h"
+#include "reports/write/unit_text.h"
+
+namespace swarmfit {
+namespace {
+
+std::string count_of(std::size_t n) { return counted(static_cast<std::int64_t>(n)); }
+
+std::vector<std::string> quantile_row(const std::string& what, const Quantiles& q, const std::string& unit, const std::string& note = "") {
+  return {what,
+          brief(q.median, 3),
+          brief(q.q05, 3) + " – " + brief(q.q95, 3),
+          brief(q.min, 3) + " – " + brief(q.max, 3),
+          brief(q.mean, 3),
+          brief(q.sd, 3),
+          unit,
+          note};
+}
+
+}  // namespace
+
+TextRows contents_rows(const TrackMeta& meta, const Summary& s) {
+  TextRows rows;
+  rows.push_back({"tracks", count_of(s.tracks),
+                  fmt::format("in {} unbroken segments; {} with {} missing frames", count_of(s.segments),
+                              counted(static_cast<std::int64_t>(s.gaps), "gap"), count_of(s.missing_frames))});
+  rows.push_back({"frames", count_of(s.frames),
+                  fmt::format("numbers {} to {}, {} s at {} Hz", s.first_frame, s.last_frame, brief(s.duration), brief(1 / meta.dt))});
+  rows.push_back({"observations", counted(s.rows), ""});
+  for (int axis = 0; axis < meta.dims; ++axis)
+    rows.push_back(
+        {std::string("range of ") + "xyz"[axis], "", fmt::format("{} to {} {}", brief(s.lower[axis]), brief(s.upper[axis]), meta.unit)});
+  return rows;
+}
+
+TextRows quantile_rows(const TrackMeta& meta, const Summary& s) {
+  const auto outliers = [](std::size_t n) { return n == 0 ? std::string() : counted(static_cast<std::int64_t>(n), "outlier"); };
+  return {{"", "median", "5 – 95 %", "min – max", "mean", "sd", "", ""},
+          quantile_row("individuals per frame", s.individuals, ""),
+          quantile_row("length of a track", s.track_length, "frames"),
+          quantile_row("unbroken segment", s.segment_length, "frames"),
+          quantile_row("speed", s.speed, metric_unit(kSpeed, meta.unit), outliers(s.speed_outliers)),
+          quantile_row("acceleration", s.acceleration, metric_unit(kAcceleration, meta.unit), outliers(s.acceleration_outliers)),
+          quantile_row("nearest neighbour", s.nearest, meta.unit),
+          quantile_row("rms radius of the group", s.extent, meta.unit),
+          quantile_row("polarisation", s.polarisation, "0 .. 1"),
+          quantile_row("milling", s.milling, "0 .. 1")};
+}
+
+std::string localisation_words(const TrackMeta& meta, const Localisation& l) {
+  if (l.samples == 0) return "Localisation error: nothing can be told, the tracks are too short.";
+  std::string sigma;
+  for (int axis = 0; axis < meta.dims; ++axis) sigma += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], rounded(l.sigma[axis]));
+  if (l.rounding) return fmt::format("Localisation error: no more than the rounding of the file ({} {}).", sigma, meta.unit);
+  const std::string caveat = l.white ? "" : " (not white: the positions were smoothed, or the motion itself is this rough)";
+  return fmt::format("Localisation error: {} {}{}; it explains {} of the acceleration and {} of the jerk (squared medians).", sigma,
+                     meta.unit, caveat, percent(l.acceleration_share), percent(l.jerk_share));
+}
+
+std::string suspicion_words(const Suspicion& s) {
+  return fmt::format("{}: {}{}", s.what, s.message, s.examples.empty() ? "" : " (" + s.examples + ')');
+}
+
+}  // namespace swarmfit

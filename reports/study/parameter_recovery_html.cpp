@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "reports/study/parameter_recovery_html.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/comparison/words.h"
+#include "reports/study/parameter_recovery_report.h"
+#include "reports/study/study_facts.h"
+#include "reports/study/study_html.h"
+#include "reports/write/number.h"
+#include "reports/write/plain_text.h"
+
+namespace swarmfit {
+namespace {
+
+const char* place_in_band(const ParameterRecovery& r, const ParameterCoverage& p) {
+  return p.covered < r.fewest ? "too rarely" : p.covered > r.most ? "too often" : "within";
+}
+
+std::vector<std::string> names_with(const ParameterRecovery& r, std::string_view place) {
+  std::vector<std::string> out;
+  for (const ParameterCoverage& p : r.parameters)
+    if (place_in_band(r, p) == place) out.push_back(p.name);
+  return out;
+}
+
+Html coverage(const ParameterRecovery& r) {
+  HtmlTable table("How many of the true values lie in their 95 % intervals");
+  const std::string band = fmt::format("{} to {}", r.fewest, r.most);
+  table.head({column("parameter"), column("covered", true), column("and the 99 % band"), column("band", true), column("place in it"),
+              column("identified", true), column("one-sided", true), column("flat", true), column("mean width", true), column("bias", true),
+              column("rmse", true)});
+  for (const ParameterCoverage& p : r.parameters) {
+    const bool within = std::string_view(place_in_band(r, p)) == "within";
+    const double lower = std::min({0.5 * p.recordings, 1.0 * p.covered, 1.0 * r.fewest});
+    table.row({name_cell(escaped(p.name)),
+               number_cell(fmt::format("{} of {}", p.covered, p.recordings)),
+               {.content = interval_drawing(p.covered, r.fewest, r.most, lower, p.recordings, 0)},
+               number_cell(band),
+               {.content = within ? escaped("within") : element("span", "flag", escaped(place_in_band(r, p)))},
+               number_cell(std::to_string(p.identified)),
+               number_cell(std::to_string(p.one_sided)),
+               number_cell(std::to_string(p.flat)),
+               number_cell(fixed(p.width, 2)),
+               number_cell(fixed(p.bias, 3)),
+               number_cell(fixed(p.rmse, 3))});
+  }
+  Html out = table.sortable().html();
+  out += element("p", "note",
+                 markup("The mark is what was counted, the bar the band, from half of the recordings to all. Width, bias and rmse (of the "
+                        "posterior's median): shares of what is searched, on the axis of the search."));
+  return out;
+}
+
+Html drawings(const ParameterRecovery& r, const std::string& unit) {
+  Html figures;
+  for (std::size_t k = 0; k < r.parameters.size(); ++k) {
+    const ParameterCoverage& p = r.parameters[k];
+    Html figure = element("h3", "", escaped(p.name));
+    figure += intervals_drawing(r, k, unit);
+    figure += element("figcaption", "", escaped(fmt::format("{} of {} intervals hold the truth", p.covered, p.recordings)));
+    figures += element("figure", "", figure);
+  }
+  Html out = element("div", "grid", figures);
+  out += element("p", "note",
+                 markup("A line per recording: the 95 % interval, and the median as a dot, above the true value; on the slanted line both "
+                        "are equal. Dashed and crossed: intervals that miss the truth. Axes are those of the search: some logarithmic, "
+                        "some by square roots. Rest the pointer on one for its numbers."));
+  return out;
+}
+
+Html cases(const ParameterRecovery& r) {
+  HtmlTable table("Every interval");
+  table.head({column("parameter"), column("seed", true), column("true value", true), column("median", true), column("2.5 %", true),
+              column("97.5 %", true), column("holds it"), column("verdict")});
+  for (std::size_t k = 0; k < r.parameters.size(); ++k)
+    for (const ParameterCase& c : r.cases) {
+      const ParameterInterval& p = c.found[k];
+      table.row({name_cell(escaped(p.name)), number_cell(std::to_string(c.seed)), number_cell(rounded(c.truth[k], 4)),
+                 number_cell(rounded(p.median, 4)), number_cell(rounded(p.lower, 4)), number_cell(rounded(p.upper, 4)),
+                 text_cell(p.lower <= c.truth[k] && c.truth[k] <= p.upper ? "yes" : "no"), text_cell(to_string(p.verdict))});
+    }
+  Html out = markup("<details><summary>All intervals</summary>");
+  out += table.sortable().html();
+  out += markup("</details>\n");
+  return out;
+}
+
+}  // namespace
+
+std::string coverage_sentence(const ParameterRecovery& r) {
+  if (r.cases.empty()) return fmt::format("None of {} recordings made by {} carries a fit.", r.left_out, r.model);
+  const auto rarely = names_with(r, "too rarely"), often = names_with(r, "too often");
+  const std::string of = fmt::format(" of {}", r.model);
+  if (rarely.empty() && often.empty())
+    return fmt::format("The 95 % intervals of all {} parameters{} hold the truth as often as they should.", r.parameters.size(), of);
+  if (rarely.empty()) return fmt::format("The 95 % intervals of {}{} hold the truth too often: they are too wide.", enumerate(often), of);
+  return fmt::format("The 95 % intervals of {}{} hold the truth too rarely{}.", enumerate(rarely), of,
+                     often.empty() ? "" : fmt::format(", those of {} too often", enumerate(often)));
+}
+
+std::string parameter_recovery_html(const ParameterRecovery& r, const Settings& settings, const std::string& version) {
+  StudyPage page{"recover", "parameter recovery", coverage_sentence(r), "", synthetic_badge(), {}, {}, {}, {}, settings, version};
+  page.facts = fact("model", r.model);
+  page.facts += fact("recordings", std::to_string(r.cases.size()));
+  page.facts += study_facts(settings);
+  if (!r.cases.empty()) {
+    page.detail = coverage_band_text(r) + left_out_text(r);
+    page.sections = {{"coverage", "Coverage", coverage(r)},
+                     {"intervals", "Intervals against the truth", drawings(r, setting(settings, "unit"))},
+                     {"recordings", "Recording by recording", cases(r)}};
+  }
+  page.files = markup("<code>recovery.json</code>, <code>tables/cases.csv</code>");
+  return study_html(page);
+}
+
+}  // namespace swarmfit
