@@ -12,8 +12,14 @@ namespace swarmfit {
 namespace {
 
 constexpr double kAtMost = 1.0 / 3;  // of the recording's frames
+constexpr double kTouches = 0.05;    // of the interval's length: nearer to a bound, its end says nothing
 
 }  // namespace
+
+Identifiability verdict_in_units(const ParameterInterval& p, double least, double most) {
+  const bool touches = std::min(p.lower - least, most - p.upper) < kTouches * (p.upper - p.lower);
+  return p.verdict == Identifiability::identified && touches ? Identifiability::one_sided : p.verdict;
+}
 
 std::int64_t settling_frames(const Conditions& conditions) {
   const auto wanted = static_cast<std::int64_t>(std::ceil(conditions.scales.time() / conditions.recording.dt()));
@@ -36,6 +42,7 @@ ParameterPosterior posterior_of(const SearchSpace& space, const Objective& objec
     const auto a = static_cast<Index>(k);
     lower[a] = marginals[k].lower, median[a] = marginals[k].median, upper[a] = marginals[k].upper;
   }
+  const auto least = space.parameters(Point::Zero(space.dimensions())), most = space.parameters(Point::Ones(space.dimensions()));
   const auto low = space.parameters(lower), middle = space.parameters(median), high = space.parameters(upper);
   const auto name = [&](std::size_t k) { return std::string(space.model().spec->parameters[space.searched()[k]].name); };
   for (std::size_t k = 0; k < marginals.size(); ++k) {
@@ -43,6 +50,7 @@ ParameterPosterior posterior_of(const SearchSpace& space, const Objective& objec
     const std::size_t row = space.searched()[k];
     out.parameters.push_back({row, name(k), middle[row], low[row], high[row], m.contraction, m.verdict,
                               m.partner < 0 ? "" : name(static_cast<std::size_t>(m.partner)), m.correlation});
+    out.parameters.back().verdict = verdict_in_units(out.parameters.back(), least[row], most[row]);
   }
   return out;
 }

@@ -22,6 +22,10 @@ struct ParameterInterval {
   double correlation = 0;
 };
 
+// Root and logarithmic axes spread out what is next to nothing. An interval that keeps away from its bounds there, but not in physical
+// units, is one-sided, too.
+Identifiability verdict_in_units(const ParameterInterval& interval, double least, double most);
+
 struct ParameterPosterior {
   Posterior posterior;  // on the search's axes
   std::vector<ParameterInterval> parameters;

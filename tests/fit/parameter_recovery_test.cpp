@@ -27,6 +27,19 @@ TEST(Settling, TakesTheSwarmsOwnTimeButAThirdAtMost) {
   EXPECT_EQ(settling_frames(c), 30);
 }
 
+// On the root axis from 0 to 91550 the first is from .04 to .50: away from the bound, and yet it says "less than 23000".
+TEST(Verdict, IsThatOfPhysicalUnits) {
+  const auto verdict = [](double lower, double upper, Identifiability on_axis) {
+    ParameterInterval p;
+    p.lower = lower, p.upper = upper, p.verdict = on_axis;
+    return verdict_in_units(p, 0, 91550);
+  };
+  EXPECT_EQ(verdict(126, 22770, Identifiability::identified), Identifiability::one_sided);
+  EXPECT_EQ(verdict(20050, 91500, Identifiability::identified), Identifiability::one_sided);
+  EXPECT_EQ(verdict(20050, 21150, Identifiability::identified), Identifiability::identified);
+  EXPECT_EQ(verdict(126, 22770, Identifiability::flat), Identifiability::flat);
+}
+
 RecoveryOptions brownian(int seeds) {
   RecoveryOptions o;
   o.compare.models = o.planted = {parse_model("brownian[interaction=none]")};
