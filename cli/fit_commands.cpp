@@ -21,6 +21,7 @@
 #include "fit/compare/across.h"
 #include "fit/compare/common_dynamics.h"
 #include "fit/compare/facts.h"
+#include "fit/compare/hold_out.h"
 #include "libeval/lags.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
@@ -53,7 +54,8 @@ void write_timing(const std::string& dir, double seconds, const Comparison& resu
 Comparison run_one(const FitArguments& a, CompareOptions options, const Tracks& recording, const std::string& path,
                    const std::string& dir) {
   const auto start = std::chrono::steady_clock::now();
-  options.lags = lags_for(make_conditions(recording, options.conditions), options);
+  // Of what is held out, nothing may be known: not even at which lags it shows motion.
+  options.lags = lags_for(make_conditions(options.hold_out ? halves(recording).fitted : recording, options.conditions), options);
   FitArguments alone = a;
   alone.recordings = {path};
   alone.lags = lags_text(options.lags);  // as chosen

@@ -66,6 +66,7 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   for (const auto& m : o.planted) planted.push_back(quoted(m.name));
   Settings s{{"model", fmt::format("[{}]", fmt::join(compared, ", "))},
              {"plant", fmt::format("[{}]", fmt::join(planted, ", "))},
+             {"seed", std::to_string(a.common.seed)},
              {"seeds", std::to_string(a.seeds)},
              {"agents", std::to_string(a.agents)},
              {"frames", std::to_string(a.frames)},

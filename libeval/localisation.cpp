@@ -8,6 +8,7 @@
 
 #include "libeval/energy.h"
 #include "libeval/rounding.h"
+#include "libeval/white_part.h"
 #include "libtrack/normals.h"
 
 namespace swarmfit {
@@ -21,7 +22,9 @@ constexpr double kLevelled = 0.9;  // next order's level over this one's; motion
 constexpr double kFlat = 1.6;      // largest ratio of levels within the upper third of the spectrum (white: 1, rough acceleration: 2.7)
 constexpr double kDigit = 1.5;     // times the rounding error of the last digit
 constexpr double kSlow = 3;        // errors per step: along faster motion they show in the speed as they are
-constexpr double kStraight = 0.5;  // of the error's variance that speeds must show at least
+constexpr double kSignificant = 3.5;  // standard errors
+constexpr double kConsistent = 3;     // likewise
+constexpr double kStraight = 0.5;     // of the error's variance that speeds must show at least
 
 // Taps of (1 - B)^differences (1 + B)^sums, B being the step back by one frame.
 std::vector<double> taps(int differences, int sums) {
@@ -188,7 +191,18 @@ Localisation estimate_localisation(const Tracks& tracks) {
   }
   out.rounding = axes > 0 && rounding == axes;
   const bool told_from_walk = tilt.seen < 0.5 * tilt.of_walk;  // nearer to the one than to the other
-  out.white = axes > 0 && white == axes && !out.rounding && told_from_walk && level_of_speeds(tracks, least) >= kStraight * least;
+  const auto in_speeds = [&] { return level_of_speeds(tracks, least) >= kStraight * least; };
+  out.white = axes > 0 && white == axes && !out.rounding && told_from_walk && in_speeds();
+  if (axes > 0 && !out.white && !out.rounding) {
+    const WhitePart part = white_part(tracks);
+    Eigen::Array3d variance = part.variance - grid.step.square() / 12;
+    least = variance.head(tracks.dims()).minCoeff();
+    if (part.significance > kSignificant && part.apart < kConsistent && least > 0 && in_speeds()) {
+      out.white = true;
+      out.sigma = variance.max(0.0).sqrt();
+      error = variance.head(tracks.dims()).sum();
+    }
+  }
   out.acceleration_share = share(error, acceleration);
   out.jerk_share = share(error, jerk);
   return out;

@@ -14,6 +14,9 @@ namespace swarmfit {
 // the motion: the spectrum must be white, not that of a random walk, which falls by a quarter over its upper third, and the error must show
 // along the way as it does aside, in speeds that change as much as it would change them.
 //
+// Motion as rough as that of particles in white noise never levels off, and falls as a random walk's does. Error upon it is told by the
+// memory of second differences (libeval/white_part.h), which motion of any known kind does not share.
+//
 // Variances are squared medians of |Δ^m x| / 0.6745: sigma is that of a normal error with the recording's bulk. Identity jumps and wild
 // detections do not count, and tails heavier than the normal's are not described: on recordings that have them (the kurtosis of second
 // differences is far above 3) a root mean square gives a sigma half as large again, with which no simulation looks like the recording.
@@ -23,8 +26,9 @@ namespace swarmfit {
 struct Localisation {
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // standard deviation per axis [unit]; 0 where nothing can be told
   Index samples = 0;                              // differences it rests on, all axes; 0: too few unbroken stretches
-  bool white = false;             // level at rising orders, white over the upper third of the spectrum, seen in speeds, and not rounding
-  bool rounding = false;          // sigma is no more than the rounding of positions in the file (libeval/rounding.h)
+  bool white = false;     // level at rising orders, white over the upper third of the spectrum, seen in speeds, and not rounding; or as
+                          // white_part() has it
+  bool rounding = false;  // sigma is no more than the rounding of positions in the file (libeval/rounding.h)
   double acceleration_share = 0;  // share of the squared median acceleration that this error explains, 0..1
   double jerk_share = 0;          // likewise for the jerk
 };

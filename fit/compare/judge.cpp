@@ -8,6 +8,7 @@
 #include "libeval/distance.h"
 #include "libeval/leave_one_out.h"
 #include "libeval/surrogate.h"
+#include "libtrack/parallel_for.h"
 
 namespace swarmfit {
 namespace {
@@ -123,20 +124,19 @@ Judge::Nulls Judge::measured_nulls(const Rng& rng) {
   out.placed.resize(kPlaced);
   PerColumn<bool> motion(columns.size()), rest(columns.size());
   for (std::size_t j = 0; j < columns.size(); ++j) motion[j] = columns[j].motion(), rest[j] = !motion[j];
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(2 * kSurrogates + kPlaced); ++i) {
-    const auto all = static_cast<std::size_t>(i), kind = all / kSurrogates, k = all % kSurrogates;
+  parallel_for(2 * kSurrogates + kPlaced, [&](std::size_t all) {
+    const std::size_t kind = all / kSurrogates, k = all % kSurrogates;
     const Rng own = rng.derive(Stream::surrogate, all);
     const auto blocks = distance_.blocks(kind == 0   ? timeshift(recording, own)
                                          : kind == 1 ? shuffled_walker(recording, own)
                                                      : shuffled_places(recording, own));
     if (kind == 2) {
       out.placed[k] = distance_.to(blocks);
-      continue;
+      return;
     }
     (kind == 0 ? out.shifted : out.walked)[k] = distance_.to(blocks, kind == 0 ? rest : motion);
     (kind == 0 ? out.of_shifted : out.of_walked)[k] = HalfDistance::pooled(blocks);
-  }
+  });
   return out;
 }
 
@@ -169,10 +169,9 @@ void Judge::choose_scale(const PerColumn<bool>& wanted) {
 void Judge::judge(FitResult& fit, const Objective& objective, const std::vector<double>& parameters, std::span<const Rng> seeds) const {
   std::vector<Run> runs(seeds.size());
   const auto real = HalfDistance::pooled(distance_.recording());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(runs.size()); ++i) {
-    Run& run = runs[static_cast<std::size_t>(i)];
-    const auto tracks = objective.finished(parameters, seeds[static_cast<std::size_t>(i)]);
+  parallel_for(runs.size(), [&](std::size_t i) {
+    Run& run = runs[i];
+    const auto tracks = objective.finished(parameters, seeds[i]);
     const auto blocks = tracks ? distance_.blocks(*tracks) : distance_.no_blocks();
     const auto pooled = HalfDistance::pooled(blocks);
     run.distance = distance_.to(blocks);
@@ -182,7 +181,7 @@ void Judge::judge(FitResult& fit, const Objective& objective, const std::vector<
       run.wasserstein[j] = wasserstein(real[j], pooled[j], distance_.bin_width());
     }
     if (tracks) run.panel = panel(*tracks, plan_);
-  }
+  });
   std::vector<double> means;
   std::vector<Panel> panels;
   for (const Run& run : runs) {

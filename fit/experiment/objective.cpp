@@ -6,6 +6,7 @@
 #include "fit/experiment/observe.h"
 #include "libeval/energy_score.h"
 #include "libtrack/kinematics.h"
+#include "libtrack/parallel_for.h"
 
 namespace swarmfit {
 namespace {
@@ -153,9 +154,9 @@ void Objective::extend(std::vector<std::vector<Trial>>& trials, const Candidates
   std::vector<Job> jobs;
   for (std::size_t c = 0; c < candidates.size(); ++c)
     while (wanted[c] && trials[c].size() < seeds.size()) jobs.push_back({c, trials[c].size()}), trials[c].emplace_back();
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t k = 0; k < jobs.size(); ++k)
+  parallel_for(jobs.size(), [&](std::size_t k) {
     trials[jobs[k].candidate][jobs[k].trial] = run(candidates[jobs[k].candidate], seeds[jobs[k].trial], finer);
+  });
 }
 
 std::vector<SingleRun> Objective::singles(const std::vector<double>& candidate, std::span<const Rng> seeds) const {

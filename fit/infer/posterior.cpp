@@ -9,6 +9,7 @@
 
 #include "fit/infer/ridge.h"
 #include "libeval/robust.h"
+#include "libtrack/parallel_for.h"
 
 namespace swarmfit {
 namespace {
@@ -49,12 +50,11 @@ PosteriorRound simulate(Bank& bank, const Box& box, const Simulator& simulator, 
                         Index features) {
   std::vector<Point> x(static_cast<std::size_t>(count), Point(box.lower.size()));
   std::vector<std::optional<VectorXd>> out(x.size());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t k = 0; k < x.size(); ++k) {
+  parallel_for(x.size(), [&](std::size_t k) {
     for (Index a = 0; a < x[k].size(); ++a)
       x[k][a] = box.lower[a] + (box.upper[a] - box.lower[a]) * rng.uniform(Stream::posterior, first + k, static_cast<std::uint32_t>(a));
     out[k] = simulator(x[k], rng.derive(Stream::posterior, first + k));
-  }
+  });
   PosteriorRound round;
   round.simulations = count;
   round.volume = box.volume();

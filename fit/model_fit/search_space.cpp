@@ -44,6 +44,17 @@ void check_keys(const std::map<std::string, Value>& requests, const char* flag, 
   }
 }
 
+// Where neither the papers nor fits go below zero, nothing may; what is searched on a logarithmic axis must be positive.
+void check_legal(const char* flag, const Parameter& row, double value) {
+  const bool positive = row.log, signless = std::min(row.scene.lower, row.fit.lower) >= 0;
+  if (std::isfinite(value) && (!signless || value >= 0) && (!positive || value > 0) && (!row.integer || value == std::round(value))) return;
+  throw InputError(fmt::format("{} {}={}: is not allowed; expected {}{}", flag, row.name, value,
+                               row.integer ? "a whole number" : "a number",
+                               positive   ? " greater than 0"
+                               : signless ? ", at least 0"
+                                          : ""));
+}
+
 }  // namespace
 
 // A speed that everybody keeps for ever is nowhere but among the recorded ones: three of their standard deviations to either side, and a
@@ -77,12 +88,18 @@ void SearchSpace::apply(const ModelChoice& model, const ParameterRequests& reque
     if (!model.spec->uses(p, model.options)) continue;
     const auto* value = find_request(requests.set, model, table[p].name);
     const auto* bounds = find_request(requests.bounds, model, table[p].name);
-    if (value) base_[p] = *value;
+    if (value) {
+      check_legal("--set", table[p], *value);
+      base_[p] = *value;
+    }
     if (value || find_request(requests.fix, model, table[p].name)) search(p, false);
     if (!bounds) continue;
     const auto [lower, upper] = *bounds;
     if (!(lower < upper))
       throw InputError(fmt::format("--bounds {}={}:{}: the interval is empty; expected lower < upper", table[p].name, lower, upper));
+    for (const double end : {lower, upper})
+      if (!(table[p].log && end == 0))
+        check_legal("--bounds", table[p], end);  // a lower bound of zero makes a logarithmic axis another one
     axes_[p].lower = lower;
     axes_[p].upper = upper;
     axes_[p].log = table[p].log && lower > 0;  // a zero lower bound is never log-scaled

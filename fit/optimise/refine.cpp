@@ -6,6 +6,7 @@
 #include <nlopt.hpp>
 
 #include "fit/optimise/genetic.h"
+#include "libtrack/parallel_for.h"
 
 namespace swarmfit {
 namespace {
@@ -65,8 +66,7 @@ SearchResult refine(const std::vector<Evaluated>& starts, const PointCost& cost,
   const int refined = options.evaluations > 0 ? std::clamp(options.starts, 0, static_cast<int>(starts.size())) : 0;
   std::vector<Run> runs;
   for (int i = 0; i < refined; ++i) runs.push_back({cost, options.evaluations, starts[i]});
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int i = 0; i < refined; ++i) minimise(runs[i], options);
+  parallel_for(runs.size(), [&](std::size_t i) { minimise(runs[i], options); });
 
   SearchResult result;
   result.stop = Stop::converged;

@@ -124,7 +124,7 @@ ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnPar
   const CompareOptions compare = with_shared_constants(options.compare, options.scales);
   const SearchSpace prior(model, options.scales, compare.requests);
   ParameterRecovery out{model.name, {}, {}, 0, 0, 0};
-  for (std::uint64_t seed = 1; static_cast<int>(out.cases.size()) < options.seeds; ++seed) {
+  for (std::uint64_t seed = options.compare.seed; static_cast<int>(out.cases.size()) < options.seeds; ++seed) {
     Point x(prior.dimensions());
     for (Eigen::Index a = 0; a < x.size(); ++a)
       x[a] = 0.5 + kMiddle * (Rng{seed}.uniform(Stream::probe, 0, static_cast<std::uint32_t>(a)) - 0.5);

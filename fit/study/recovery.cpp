@@ -113,7 +113,7 @@ Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on
     out.parameters.push_back(planted_parameters(model, options.scales, set));
     out.confusion.emplace_back(out.compared.size(), 0);
     for (int k = 1; k <= options.seeds; ++k) {
-      const auto seed = static_cast<std::uint64_t>(k);
+      const std::uint64_t seed = options.compare.seed + static_cast<std::uint64_t>(k) - 1;
       compare_options.seed = seed;
       add_case(
           out, *kept<RecoveryCase>(hooks.checkpoint, fmt::format("case {} {}", model.name, seed), [&] {

@@ -21,7 +21,7 @@ struct RecoveryOptions {
   CompareOptions compare;
   PlantOptions film;  // length, group and camera; its seed, start and scales are not used
   Scales scales;      // of the planted swarms: parameters are the defaults of the fit table in these scales
-  int seeds = 10;     // recordings per model
+  int seeds = 10;     // recordings per model; their seeds count up from compare.seed
   double spread = 2;  // planted values of fitted parameters are multiplied by up to this factor, or divided, anew for every recording
 };
 

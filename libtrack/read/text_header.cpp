@@ -95,7 +95,8 @@ void read_comment(std::string_view line, TextHeader& header) {
   } else if (starts("unit:")) {
     header.unit = word_behind_colon(line);
   } else if (starts("synthetic:")) {
-    header.synthetic = true;
+    const std::string answer = word_behind_colon(text);
+    header.synthetic = answer != "no" && answer != "false" && answer != "0";
   } else if (starts("episodes:")) {
     header.episodes = integers_behind_colon(text);
   } else if (header.unit.empty()) {

@@ -208,6 +208,37 @@ TEST(Localisation, RoughPathsAtConstantSpeedAreNotTakenForTheCamera) {
   EXPECT_FALSE(estimate(zigzag(0.05), 2).white);
 }
 
+// Velocities that are kicked `steps` times per frame, and friction of 2 per second: 15 particles for 5 s.
+std::vector<Row> kicked(int steps, std::uint64_t seed) {
+  std::vector<Row> rows;
+  const double h = kDt / steps, kick = 250 * std::sqrt(h);
+  for (std::uint32_t i = 0; i < 15; ++i) {
+    Array3d x = Array3d::Zero(), v = Array3d::Constant(100);
+    for (std::int64_t frame = 0; frame < 500; ++frame) {
+      rows.push_back({i, frame, {x[0], x[1], x[2]}});
+      for (int s = 0; s < steps; ++s) {
+        for (std::uint32_t axis = 0; axis < 3; ++axis)
+          v[axis] += kick * test::normal(seed, static_cast<std::uint64_t>(frame * steps + s), i, axis) - 2 * h * v[axis];
+        x += h * v;
+      }
+    }
+  }
+  return rows;
+}
+
+// The error makes up half of the second differences' variance.
+TEST(Localisation, ErrorUponMotionInWhiteNoiseIsTold) {
+  for (const int steps : {1, 10})
+    for (const std::uint64_t seed : {3U, 4U, 5U}) {
+      const Localisation alone = estimate(kicked(steps, seed));
+      EXPECT_FALSE(alone.white) << steps << " seed " << seed;
+      const Localisation seen = estimate(jittered(kicked(steps, seed), 0.1, seed + 100));
+      EXPECT_TRUE(seen.white) << steps << " seed " << seed;
+      // Kicks once per frame add 1/27 of their variance, .0625 mm², to that of .01 mm².
+      for (Index axis = 0; axis < 3; ++axis) EXPECT_NEAR(seen.sigma[axis], steps == 1 ? 0.11 : 0.1, 0.01) << steps << " seed " << seed;
+    }
+}
+
 TEST(Localisation, PlanarMotionHasNoErrorAlongZ) {
   auto rows = jittered(orbits(), 0.2);
   for (Row& row : rows) row.p[2] = 0;

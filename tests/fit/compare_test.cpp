@@ -312,6 +312,7 @@ TEST(Compare, ASpeedThatHardlyVariesIsFound) {
   options.conditions.steps = 10;             // as filmed
   options.requests.set["max_speed"] = 1500;  // where the search starts: the default would be the recorded speed, which is the answer
   options.requests.bounds["max_speed"] = {20, 2000};
+  for (const char* other : {"time_horizon", "goal_radius", "goal_time"}) options.requests.fix[other] = true;  // this is about the speed
   const FitResult fit = compare(recording, options).models.front();
   for (const ParameterResult& p : fit.parameters)
     if (p.name == "max_speed") {

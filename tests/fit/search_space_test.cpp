@@ -77,10 +77,10 @@ TEST(SearchSpace, AConstantSpeedIsSearchedAmongRecordedOnes) {
 
 TEST(SearchSpace, AnAxisFromElsewhereIsLinear) {
   ParameterRequests requests;
-  requests.bounds["chi_att"] = {-10, 10};
-  const auto model = parse_model("bswarm");
+  requests.bounds["gamma1"] = {-10, 10};
+  const auto model = parse_model("brownian");
   const SearchSpace space(model, kScales, requests);
-  EXPECT_NEAR(space.parameters(Point::Constant(space.dimensions(), 0.25))[row(model, "chi_att")], -5, 1e-12);
+  EXPECT_NEAR(space.parameters(Point::Constant(space.dimensions(), 0.25))[row(model, "gamma1")], -5, 1e-12);
 }
 
 TEST(SearchSpace, OnlyParametersThatTheSettingsUseAreSearched) {
@@ -141,6 +141,26 @@ TEST(SearchSpace, EmptyBoundsAreRefused) {
   ParameterRequests requests;
   requests.bounds["gamma"] = {2, 1};
   EXPECT_THROW(SearchSpace(parse_model("bswarm"), kScales, requests), InputError);
+}
+
+TEST(SearchSpace, IllegalValuesAreRefused) {
+  const auto refusal = [](const char* model, const ParameterRequests& requests) -> std::string {
+    try {
+      SearchSpace(parse_model(model), kScales, requests);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  const auto set = [](const char* name, double value) { return ParameterRequests{{{name, value}}, {}, {}}; };
+  EXPECT_THAT(refusal("boids", set("speed", -5)), HasSubstr("--set speed=-5: is not allowed; expected a number greater than 0"));
+  EXPECT_THAT(refusal("boids", set("speed", 0)), HasSubstr("greater than 0"));
+  EXPECT_THAT(refusal("bswarm", set("chi_rep", -1)), HasSubstr("at least 0"));
+  EXPECT_THAT(refusal("rvo", set("max_neighbours", 2.5)), HasSubstr("a whole number"));
+  EXPECT_THAT(refusal("boids", set("tau", std::nan(""))), HasSubstr("not allowed"));
+  EXPECT_THAT(refusal("boids", {{}, {}, {{"radius", {-1, 1}}}}), HasSubstr("--bounds radius=-1"));
+  EXPECT_EQ(refusal("brownian", set("gamma1", -5)), "") << "friction";
+  EXPECT_EQ(refusal("boids", {{}, {}, {{"radius", {0, 1}}}}), "");
 }
 
 TEST(CheckRequests, NamesTheParametersThereAre) {

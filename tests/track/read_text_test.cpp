@@ -114,6 +114,10 @@ TEST(ReadText, FactsInComments) {
   EXPECT_EQ(tracks.dt(), 0.04);
   EXPECT_EQ(tracks.meta().unit, "mm");
   EXPECT_TRUE(tracks.meta().from.synthetic);
+  for (const char* no : {"no", "No", "false", "0"})
+    EXPECT_FALSE(
+        read(std::string("# framerate: 25 fps\n# unit: mm\n# synthetic: ") + no + "\nid,frame,x,y\n1,3,1,2\n").meta().from.synthetic)
+        << no;
   EXPECT_EQ(tracks.frames().front().number, 3);
 }
 
