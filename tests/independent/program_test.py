@@ -61,6 +61,13 @@ class IndependentTruths(unittest.TestCase):
         truth, _, own = self.run_truth("noise_aware", ["langevin"])
         self.assert_found(truth, own, {"scale": 0.15, "gain": 0.25, "cage": 0.25})
 
+    def test_a_camera_is_told_from_rough_motion(self):
+        """Four hundredths of what is flown per frame make up half of these accelerations: D came out at 2.3 times its value."""
+        truth, results, own = self.run_truth("brownian", make="--error 0.04")
+        for axis in range(3):
+            self.assertAlmostEqual(results["observation"]["sigma"][axis] / truth["error_sd"], 1, delta=0.15)
+        self.assert_found(truth, own, {"D": 0.15})
+
     def test_rounding_is_part_of_the_observation(self):
         """A tenth of a millimetre is a twentieth of what is flown per frame, and most of an acceleration: longer lags tell what it was."""
         truth, results, own = self.run_truth("langevin", make="--decimals 1")
