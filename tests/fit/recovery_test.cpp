@@ -109,6 +109,15 @@ TEST(Recovery, PlantedModelsMustBeCompared) {
   EXPECT_THROW(recover_models(o), InputError);
 }
 
+TEST(Recovery, SeedsCountUpFromTheOneAskedFor) {
+  RecoveryOptions o = tiny();
+  o.compare.seed = 7;
+  o.planted = {parse_model("boids")};
+  std::vector<std::uint64_t> seeds;
+  for (const RecoveryCase& c : recover_models(o).cases) seeds.push_back(c.seed);
+  EXPECT_EQ(seeds, (std::vector<std::uint64_t>{7, 8}));
+}
+
 TEST(Recovery, CanBeInterrupted) {
   EXPECT_THROW(recover_models(tiny(), [](const RecoveryCase&) { return false; }), Interrupted);
 }
