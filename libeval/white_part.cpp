@@ -6,7 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <utility>
 #include <vector>
+
+#include "libeval/robust.h"
 
 namespace swarmfit {
 namespace {
@@ -14,7 +17,6 @@ namespace {
 constexpr std::size_t kLags = 7;
 constexpr std::array<double, kLags> kAny = {0, 0, 1, -1, -0.5, 0, 0.5}, kMuch = {1.0 / 27, -4.0 / 27, 5.0 / 27, -2.0 / 27, 0, 0, 0};
 constexpr double kWild = 4;  // robust standard deviations
-constexpr double kNormalQuartile = 0.6744897501960817;
 
 using Stretches = std::vector<std::vector<double>>;
 
@@ -33,9 +35,7 @@ void tame(Stretches& stretches) {
   for (const auto& stretch : stretches)
     for (const double value : stretch) size.push_back(std::abs(value));
   if (size.empty()) return;
-  const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
-  std::nth_element(size.begin(), middle, size.end());
-  const double most = kWild * *middle / kNormalQuartile;
+  const double most = kWild * kMadToSd * median(std::move(size));
   for (auto& stretch : stretches)
     for (double& value : stretch) value = std::clamp(value, -most, most);
 }

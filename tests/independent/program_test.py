@@ -62,7 +62,7 @@ class IndependentTruths(unittest.TestCase):
         self.assert_found(truth, own, {"scale": 0.15, "gain": 0.25, "cage": 0.25})
 
     def test_a_camera_is_told_from_rough_motion(self):
-        """Four hundredths of what is flown per frame make up half of these accelerations: D came out at 2.3 times its value."""
+        """Four hundredths of what is flown per frame make up half of these accelerations: D came out at more than twice its value."""
         truth, results, own = self.run_truth("brownian", make="--error 0.04")
         for axis in range(3):
             self.assertAlmostEqual(results["observation"]["sigma"][axis] / truth["error_sd"], 1, delta=0.15)
