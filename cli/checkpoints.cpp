@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/config_file.h"
 #include "cli/interrupt.h"
 #include "libtrack/error.h"
+#include "libtrack/file.h"
 #include "reports/write/run_folder.h"
 
 namespace swarmfit::cli {
@@ -26,7 +28,12 @@ bool is_unfinished(const std::string& dir) {
 
 Checkpoint checkpoint_in(const std::string& dir, const RunIdentity& run, bool resume) {
   if (!resume || !std::filesystem::exists(path_in(dir))) return {path_in(dir), run, [dir, text = run.config] { begin_run(dir, text); }};
-  return {path_in(dir), run};
+  // The checkpoint knows its config.toml byte for byte; an earlier version may have written the same settings in other words.
+  RunIdentity as_begun = run;
+  const std::string config = dir + "/config.toml";
+  if (std::filesystem::exists(config))
+    if (std::string begun = read_file(config); same_config(begun, run.config)) as_begun.config = std::move(begun);
+  return {path_in(dir), as_begun};
 }
 
 void remove_checkpoint(const std::string& dir) {

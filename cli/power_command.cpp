@@ -8,7 +8,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "cli/settings.h"
+#include "cli/recordings.h"
 #include "cli/style.h"
 #include "cli/version.h"
 #include "libtrack/error.h"
@@ -16,23 +16,20 @@
 
 namespace swarmfit::cli {
 
-int power(const PowerArguments& given) {
-  const FitArguments a = with_protocol(given.fit);
-  use_threads(a.common);
-  const PowerOptions options{compare_options(a), given.seeds};
+int power(const Arguments& a) {
+  const PowerOptions options{a.compare, a.seeds};
   if (a.recordings.size() != 1) throw InputError("power: expected one recording");
   if (options.compare.models.size() < 2)
     throw InputError("power: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
   const std::string dir = a.out.empty() ? "swarmfit-power" : a.out;
   check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
-  Settings settings = resolved(a, options.compare.models);
-  settings.emplace_back("seeds", std::to_string(given.seeds));
-  const Tracks recording = load(a.data, a.recordings.front());
+  const Settings& settings = a.config;
+  const Tracks recording = load(a.read, a.recordings.front());
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, config_toml("power", settings)}, a.resume);
   Power result;
   try {
-    StudyProgress progress(a.common.quiet, 1 + options.compare.models.size() * static_cast<std::size_t>(given.seeds));
+    StudyProgress progress(a.common.quiet, 1 + options.compare.models.size() * static_cast<std::size_t>(a.seeds));
     const auto on_power = [&](std::size_t done, std::size_t) {
       if (done > 0) progress.done(done == 1 ? "models fitted to the recording" : "a planted recording compared");
       return !interrupted();

@@ -82,7 +82,7 @@ std::vector<double> scene_parameters(const ModelChoice& model, const std::map<st
     const int row = model.spec->find(name);
     if (row < 0)
       throw InputError(
-          fmt::format("--set {}: {} has no such parameter; expected one of {}", name, model.spec->name, fmt::join(names, ", ")));
+          fmt::format("`set` {}: {} has no such parameter; expected one of {}", name, model.spec->name, fmt::join(names, ", ")));
     values[static_cast<std::size_t>(row)] = value;
   }
   return values;

@@ -79,19 +79,19 @@ class Assembly {
   void demand_flags() const {
     const bool rate = options_.fps || table_.dt > 0 || has(FileColumn::t);
     const bool unit = !options_.unit.empty() || !table_.unit.empty();
-    if (!rate && !unit) fail("neither frame rate nor length unit is in the file; expected both flags, for example --fps 25 --unit m");
-    if (!rate) fail("the frame rate is not in the file; expected the flag --fps, for example --fps 25");
-    if (!unit) fail("the length unit is not in the file; expected the flag --unit, for example --unit mm");
+    if (!rate && !unit) fail("neither frame rate nor length unit is in the file; expected both, for example `fps` 25 `unit` m");
+    if (!rate) fail("the frame rate is not in the file; expected `fps`, for example `fps` 25");
+    if (!unit) fail("the length unit is not in the file; expected `unit`, for example `unit` mm");
     if (!options_.unit.empty() && !table_.unit.empty() && options_.unit != table_.unit)
-      fail(fmt::format("the file states the unit {} but --unit says {}; expected the same or no flag", table_.unit, options_.unit));
+      fail(fmt::format("the file states the unit {} but `unit` says {}; expected the same or no flag", table_.unit, options_.unit));
     if (options_.fps && !(*options_.fps > 0 && std::isfinite(*options_.fps)))
-      throw InputError(fmt::format("--fps: {} is no frame rate; expected a number above 0", *options_.fps));
+      throw InputError(fmt::format("`fps`: {} is no frame rate; expected a number above 0", *options_.fps));
     if (options_.fps && table_.dt > 0) check_rate(1 / table_.dt, "the file states");
   }
 
   void check_rate(double in_file, std::string_view words) const {
     if (options_.fps && std::abs(*options_.fps / in_file - 1) > 0.01)
-      fail(fmt::format("{} {:.6g} frames per second but --fps says {:.6g}; expected the same within 1 % or no flag", words, in_file,
+      fail(fmt::format("{} {:.6g} frames per second but `fps` says {:.6g}; expected the same within 1 % or no flag", words, in_file,
                        *options_.fps));
   }
 
@@ -173,7 +173,7 @@ class Assembly {
       t0_ = table_.dt > 0 ? table_.t0 : time[0] - static_cast<double>(frame_[0]) * stated;
       return;
     }
-    if (clock.dt == 0) fail(clock.problem + "; expected the flag --fps, for example --fps 25");
+    if (clock.dt == 0) fail(clock.problem + "; expected `fps`, for example `fps` 25");
     if (!clock.problem.empty()) fail(clock.problem + "; expected time stamps at a constant frame interval");
     check_rate(1 / clock.dt, "the time stamps say");
     if (table_.dt > 0 && std::abs(table_.dt / clock.dt - 1) > 0.01)
@@ -208,7 +208,7 @@ class Assembly {
     });
     if (!order_.empty()) return;
     throw InputError(fmt::format("{}: no row lies in that range of {} of {}; the recording has frames {} to {}, times {:.6g} to {:.6g} s",
-                                 options_.frames ? "--frames" : "--times", options_.frames ? "frames" : "times", table_.file, first_frame,
+                                 options_.frames ? "`frames`" : "`times`", options_.frames ? "frames" : "times", table_.file, first_frame,
                                  last_frame, t0_ + static_cast<double>(first_frame) * dt_, t0_ + static_cast<double>(last_frame) * dt_));
   }
 

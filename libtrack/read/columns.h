@@ -23,7 +23,7 @@ struct ColumnMap {
 };
 
 // The mapping by --columns. `names` is the header (empty when the file has none), `count` the number of columns of the file.
-// Throws InputError "--columns: ..." for unknown or repeated names, a wrong count, or a mapping without x and y.
+// Throws InputError "`columns`: ..." for unknown or repeated names, a wrong count, or a mapping without x and y.
 ColumnMap map_columns(std::string_view spec, const std::vector<std::string>& names, std::size_t count);
 
 // The mapping by the usual names in the header; an exact name ("x") wins over an alias ("pos_x"). The result may lack x or y.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 
 #include "libtrack/error.h"
 #include "libtrack/file.h"
@@ -42,7 +43,7 @@ const Reader& choose(const Source& source, const ReadOptions& options) {
   if (!options.format.empty()) {
     for (const Reader* reader : kReaders)
       if (reader->format.name == options.format) return *reader;
-    throw InputError(fmt::format("--format: '{}' is not known; expected one of {}", options.format, format_names()));
+    throw InputError(fmt::format("`format`: '{}' is not known; expected one of {}", options.format, format_names()));
   }
   refuse_non_recordings(source);
   for (const Reader* reader : kReaders)
@@ -52,12 +53,12 @@ const Reader& choose(const Source& source, const ReadOptions& options) {
   throw InputError(fmt::format("{}: the format is not known; expected one of {}", source.name, format_names()));
 }
 
-double parse_end(std::string_view flag, std::string_view whole, std::string_view text, double open) {
+double parse_end(std::string_view setting, std::string_view whole, std::string_view text, double open) {
   if (text.empty()) return open;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size() && value == value) return value;
-  throw InputError(fmt::format("{}: '{}' is not a range; expected first:last, first: or :last", flag, whole));
+  if (error == std::errc() && end == text.data() + text.size() && std::isfinite(value)) return value;
+  throw InputError(fmt::format("`{}`: '{}' is not a range; expected first:last, first: or :last", setting, whole));
 }
 
 }  // namespace
@@ -68,21 +69,21 @@ bool Source::ends_with(std::string_view ending) const {
          });
 }
 
-Interval parse_interval(std::string_view flag, std::string_view text) {
+Interval parse_interval(std::string_view setting, std::string_view text) {
   const auto cut = text.find(':');
   if (cut == std::string_view::npos || text.size() == 1)
-    throw InputError(fmt::format("{}: '{}' is not a range; expected first:last, first: or :last", flag, text));
+    throw InputError(fmt::format("`{}`: '{}' is not a range; expected first:last, first: or :last", setting, text));
   Interval out;
-  out.first = parse_end(flag, text, text.substr(0, cut), out.first);
-  out.last = parse_end(flag, text, text.substr(cut + 1), out.last);
-  if (out.first > out.last) throw InputError(fmt::format("{}: '{}' is empty; expected the smaller number first", flag, text));
+  out.first = parse_end(setting, text, text.substr(0, cut), out.first);
+  out.last = parse_end(setting, text, text.substr(cut + 1), out.last);
+  if (out.first > out.last) throw InputError(fmt::format("`{}`: '{}' is empty; expected the smaller number first", setting, text));
   return out;
 }
 
 Tracks read_tracks(const std::string& path, const ReadOptions& options) { return read_tracks_bytes(path, read_file(path), options); }
 
 Tracks read_tracks_bytes(const std::string& name, std::string bytes, const ReadOptions& options) {
-  if (options.fill_gaps < 0) throw InputError(fmt::format("--fill-gaps: {} is negative; expected a number of frames", options.fill_gaps));
+  if (options.fill_gaps < 0) throw InputError(fmt::format("`fill-gaps`: {} is negative; expected a number of frames", options.fill_gaps));
   if (bytes.empty()) throw InputError(name + ": the file is empty; expected a recording");
   const Source source{name, bytes};
   auto table = choose(source, options).read(source, options);

@@ -187,14 +187,14 @@ class RowReader {
   throw InputError(
       at(source.name, header.lines_before + 1, 0,
          fmt::format(
-             "the file has no header; expected --columns to name its {} columns, such as --columns {} (_ skips one); the first row is {}",
+             "the file has no header; expected `columns` to name its {} columns, such as `columns` {} (_ skips one); the first row is {}",
              count, example, row.substr(0, 160))));
 }
 
 void check_positions(const Source& source, const TextHeader& header, const ColumnMap& map) {
   if (map.has(FileColumn::x) && map.has(FileColumn::y)) return;
   throw InputError(at(source.name, header.names_line, 0,
-                      fmt::format("no position columns among {}; expected x and y (--columns x=NAME,y=NAME,... if they have other names)",
+                      fmt::format("no position columns among {}; expected x and y (`columns` x=NAME,y=NAME,... if they have other names)",
                                   listed(header.names))));
 }
 

@@ -153,20 +153,20 @@ TEST(ReadErrors, NoSuchFileAndFolder) {
 }
 
 TEST(ParseInterval, BothEndsMayBeOpen) {
-  EXPECT_EQ(parse_interval("--frames", "3:7").first, 3);
-  EXPECT_EQ(parse_interval("--frames", "3:7").last, 7);
-  EXPECT_FALSE(parse_interval("--times", ":2.5").contains(2.6));
-  EXPECT_TRUE(parse_interval("--times", ":2.5").contains(-1e300));
-  EXPECT_TRUE(parse_interval("--frames", "3:").contains(1e300));
+  EXPECT_EQ(parse_interval("frames", "3:7").first, 3);
+  EXPECT_EQ(parse_interval("frames", "3:7").last, 7);
+  EXPECT_FALSE(parse_interval("times", ":2.5").contains(2.6));
+  EXPECT_TRUE(parse_interval("times", ":2.5").contains(-1e300));
+  EXPECT_TRUE(parse_interval("frames", "3:").contains(1e300));
 }
 
 TEST(ParseInterval, Faults) {
   for (const auto* text : {"", ":", "3", "a:b", "3:7:9", "nan:", "1:x"}) {
     EXPECT_THAT(
-        [&] { parse_interval("--frames", text); },
+        [&] { parse_interval("frames", text); },
         testing::ThrowsMessage<InputError>(std::string("--frames: '") + text + "' is not a range; expected first:last, first: or :last"));
   }
-  EXPECT_THAT([] { parse_interval("--times", "7:3"); },
+  EXPECT_THAT([] { parse_interval("times", "7:3"); },
               testing::ThrowsMessage<InputError>("--times: '7:3' is empty; expected the smaller number first"));
 }
 
