@@ -63,14 +63,11 @@ Comparison run_one(const FitArguments& a, CompareOptions options, const Tracks& 
   const auto text = config_toml(options.models.size() > 1 ? "compare" : "fit", config);
   // Of several recordings, one whose turn had not come has no checkpoint to take up.
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, text}, a.resume);
-  Journal journal(checkpoint);
   ProgressLine line(a.common.quiet);
-  const OnCompareProgress on_progress = [&line](const CompareProgress& now) {
-    line.show(now);
-    return !interrupted();
-  };
-  if (a.common_dynamics) options = with_common_dynamics(recording, options, on_progress, &journal);
-  Comparison result = swarmfit::compare(recording, options, on_progress, &journal);
+  const OnCompareProgress on_progress = [&line](const CompareProgress& now) { line.show(now); };
+  const Runtime runtime{&executor(), &checkpoint};
+  if (a.common_dynamics) options = with_common_dynamics(recording, options, on_progress, runtime);
+  Comparison result = swarmfit::compare(recording, options, on_progress, runtime);
   result.version = kVersion;
   result.config = config;
   write_run(dir, result);

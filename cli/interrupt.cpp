@@ -31,4 +31,9 @@ void stop_after(double seconds) {
 
 bool interrupted() { return signalled != 0 || (deadline && std::chrono::steady_clock::now() >= *deadline); }
 
+const Executor& executor() {
+  static const Threads all(interrupted);
+  return all;
+}
+
 }  // namespace swarmfit::cli

@@ -35,13 +35,9 @@ int power(const PowerArguments& given) {
     StudyProgress progress(a.common.quiet, 1 + options.compare.models.size() * static_cast<std::size_t>(given.seeds));
     const auto on_power = [&](std::size_t done, std::size_t) {
       if (done > 0) progress.done(done == 1 ? "models fitted to the recording" : "a planted recording compared");
-      return !interrupted();
     };
-    const auto on_progress = [&](const CompareProgress& now) {
-      progress.show(now);
-      return !interrupted();
-    };
-    result = swarmfit::power(recording, options, on_power, {on_progress, &checkpoint});
+    const auto on_progress = [&](const CompareProgress& now) { progress.show(now); };
+    result = swarmfit::power(recording, options, on_power, {on_progress, {&executor(), &checkpoint}});
   } catch (const Interrupted&) {
     return stopped_before_the_end(dir);
   }

@@ -100,13 +100,9 @@ int recover_models_of(const RecoverArguments& a, const RecoveryOptions& options,
   StudyProgress progress(a.common.quiet, total);
   const auto on_case = [&](const RecoveryCase& c) {
     progress.done(fmt::format("{}, seed {}: {} first", options.planted[c.planted].name, c.seed, c.order.front()));
-    return !interrupted();
   };
-  const auto on_progress = [&](const CompareProgress& now) {
-    progress.show(now);
-    return !interrupted();
-  };
-  const Recovery result = recover_models(options, on_case, {on_progress, &checkpoint});
+  const auto on_progress = [&](const CompareProgress& now) { progress.show(now); };
+  const Recovery result = recover_models(options, on_case, {on_progress, {&executor(), &checkpoint}});
   const Settings settings = resolved(a, options);
   write_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : recovery_text(result, style()).c_str(), stdout);
@@ -116,9 +112,8 @@ int recover_models_of(const RecoverArguments& a, const RecoveryOptions& options,
 int recover_parameters_of(const RecoverArguments& a, const RecoveryOptions& options, const std::string& dir, Checkpoint& checkpoint) {
   const auto on_case = [&](std::size_t done) {
     if (!a.common.quiet) std::fprintf(stderr, "%zu/%d\n", done, options.seeds);
-    return !interrupted();
   };
-  const ParameterRecovery result = recover_parameters(options, on_case, &checkpoint);
+  const ParameterRecovery result = recover_parameters(options, on_case, {&executor(), &checkpoint});
   const Settings settings = resolved(a, options);
   write_parameter_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : parameter_recovery_text(result, style()).c_str(), stdout);

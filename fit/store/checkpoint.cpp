@@ -55,7 +55,7 @@ Checkpoint::Checkpoint(std::string path, const RunIdentity& run) : path_(std::mo
 
 // Whole records up to the first that is not; the file is cut there.
 void Checkpoint::read(std::string_view records) {
-  Taker from(records);
+  ByteReader from(records);
   std::size_t good = 0;
   while (!from.empty()) {
     const auto size = from.take<std::uint32_t>();
