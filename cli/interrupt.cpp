@@ -5,6 +5,8 @@
 #include <csignal>
 #include <optional>
 
+#include "cli/cluster.h"
+
 namespace swarmfit::cli {
 namespace {
 
@@ -32,7 +34,7 @@ void stop_after(double seconds) {
 bool interrupted() { return signalled != 0 || (deadline && std::chrono::steady_clock::now() >= *deadline); }
 
 const Executor& executor() {
-  static const Threads all(interrupted);
+  static const Processes all(cluster(), interrupted);
   return all;
 }
 

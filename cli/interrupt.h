@@ -13,7 +13,7 @@ void install_interrupt_handler();
 void stop_after(double seconds);
 bool interrupted();
 
-// Whoever makes this process's simulations; what it does ends with Interrupted when interrupted() says so.
+// Whoever makes the simulations: all processes; work ends with Interrupted when interrupted() says so in one of them.
 const Executor& executor();
 
 }  // namespace swarmfit::cli

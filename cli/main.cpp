@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The command line of swarmfit. The only file that includes CLI11, which takes long to compile.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
 
+#include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/version.h"
@@ -365,6 +368,13 @@ int resume_run(const ResumeArguments& a) {
   return go_on(command == "fit" ? program.fit : program.compare);
 }
 
+// What other processes have no part in, the first does alone.
+bool shares_work(const CLI::App& app) {
+  const auto given = app.get_subcommands();
+  constexpr std::array kShared = {"fit", "compare", "recover", "power", "resume"};
+  return !given.empty() && std::find(kShared.begin(), kShared.end(), given.front()->get_name()) != kShared.end();
+}
+
 // The command as it was given, fit to be pasted into a shell.
 std::string command_line(int argc, char** argv) {
   std::string line = "swarmfit";
@@ -393,13 +403,13 @@ int run(int argc, char** argv) {
     return code == 0 ? 0 : 2;
   }
   install_interrupt_handler();
-  return program.chosen();
+  return shares_work(program.app) || cluster().first() ? program.chosen() : 0;
 }
 
 // One line on standard error for whatever went wrong.
 int complain(const char* what, int code) {
   std::fprintf(stderr, "swarmfit: %s\n", what);
-  return code;
+  return cluster().leave(code, what);
 }
 
 }  // namespace
@@ -408,8 +418,9 @@ int complain(const char* what, int code) {
 int main(int argc, char** argv) {
   using swarmfit::cli::complain;
   swarmfit::keep_freed_memory();
+  swarmfit::cli::cluster();
   try {
-    return swarmfit::cli::run(argc, argv);
+    return swarmfit::cli::cluster().leave(swarmfit::cli::run(argc, argv), "");
   } catch (const swarmfit::InputError& e) {
     return complain(e.what(), 2);
   } catch (const std::exception& e) {

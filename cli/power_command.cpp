@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cli/checkpoints.h"
+#include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
@@ -24,7 +25,7 @@ int power(const PowerArguments& given) {
   if (options.compare.models.size() < 2)
     throw InputError("power: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
   const std::string dir = a.out.empty() ? "swarmfit-power" : a.out;
-  check_run_directory(dir);
+  if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   Settings settings = resolved(a, options.compare.models);
   settings.emplace_back("seeds", std::to_string(given.seeds));
@@ -42,6 +43,7 @@ int power(const PowerArguments& given) {
     return stopped_before_the_end(dir);
   }
   result.fitted.version = kVersion;
+  if (!cluster().first()) return 0;
   write_power(dir, result, settings);
   remove_checkpoint(dir);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : power_text(result, style()).c_str(), stdout);

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "cli/checkpoints.h"
+#include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
@@ -103,6 +104,7 @@ int recover_models_of(const RecoverArguments& a, const RecoveryOptions& options,
   };
   const auto on_progress = [&](const CompareProgress& now) { progress.show(now); };
   const Recovery result = recover_models(options, on_case, {on_progress, {&executor(), &checkpoint}});
+  if (!cluster().first()) return 0;
   const Settings settings = resolved(a, options);
   write_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : recovery_text(result, style()).c_str(), stdout);
@@ -114,6 +116,7 @@ int recover_parameters_of(const RecoverArguments& a, const RecoveryOptions& opti
     if (!a.common.quiet) std::fprintf(stderr, "%zu/%d\n", done, options.seeds);
   };
   const ParameterRecovery result = recover_parameters(options, on_case, {&executor(), &checkpoint});
+  if (!cluster().first()) return 0;
   const Settings settings = resolved(a, options);
   write_parameter_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : parameter_recovery_text(result, style()).c_str(), stdout);
@@ -126,7 +129,7 @@ int recover(const RecoverArguments& a) {
   use_threads(a.common);
   const RecoveryOptions options = recovery_options(a);
   const std::string dir = a.out.empty() ? "swarmfit-recovery" : a.out;
-  check_run_directory(dir);
+  if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, "", config_toml("recover", resolved(a, options))}, a.resume);
   try {

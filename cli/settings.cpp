@@ -12,6 +12,7 @@
 #include <iostream>
 #include <iterator>
 
+#include "cli/cluster.h"
 #include "fit/experiment/plant.h"
 #include "libeval/lags.h"
 #include "libtrack/error.h"
@@ -127,6 +128,7 @@ Tracks load(const DataArguments& data, const std::string& path) {
   // The built-in recording goes through the reader like any other, so that --frames, --fill-gaps and the rest hold for it too.
   if (path == "demo") return read_tracks_bytes("demo", to_csv(demo_recording()), options);
   if (path != "-") return read_tracks(path, options);
+  if (cluster().size() > 1) throw InputError("-: standard input reaches only one of several processes; expected a file that all can read");
   return read_tracks_bytes("standard input", {std::istreambuf_iterator<char>(std::cin), {}}, options);
 }
 
@@ -272,7 +274,8 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
 }
 
 void use_threads(const Common& common) {
-  if (common.threads > 0) omp_set_num_threads(common.threads);
+  const int threads = common.threads > 0 ? common.threads : cluster().threads();
+  if (threads > 0) omp_set_num_threads(threads);
 }
 
 }  // namespace swarmfit::cli

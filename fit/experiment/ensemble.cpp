@@ -73,11 +73,20 @@ Run Ensemble::run(const Job& job) const {
   return run;
 }
 
+std::vector<std::string> Ensemble::made(std::size_t count, const Executor::Work& work) const {
+  if (runtime_.tally && count > 0) {
+    Tally& tally = *runtime_.tally;
+    tally.made += static_cast<std::int64_t>(count);
+    ++tally.batches;
+    tally.largest_batch = std::max(tally.largest_batch, count);
+  }
+  return runtime_.executor->run(count, work);
+}
+
 std::vector<std::string> Ensemble::measured_bytes(std::span<const Job> jobs, const std::string& name, const Measure& measure) const {
-  const Executor& executor = *runtime_.executor;
   const auto make = [&](std::size_t k) { return measure(run(jobs[k]), k); };
   Checkpoint* checkpoint = name.empty() ? nullptr : runtime_.checkpoint;
-  if (!checkpoint) return executor.run(jobs.size(), make);
+  if (!checkpoint) return made(jobs.size(), make);
 
   std::vector<std::string> results(jobs.size()), keys;
   std::vector<std::size_t> missing;
@@ -88,13 +97,14 @@ std::vector<std::string> Ensemble::measured_bytes(std::span<const Job> jobs, con
     else
       missing.push_back(k);
   }
+  if (runtime_.tally) runtime_.tally->found += static_cast<std::int64_t>(jobs.size() - missing.size());
   for (std::size_t done = 0; done < missing.size(); done += kKeptTogether) {
     const std::span batch(missing.begin() + static_cast<std::ptrdiff_t>(done), std::min(kKeptTogether, missing.size() - done));
-    auto made = executor.run(batch.size(), [&](std::size_t i) { return make(batch[i]); });
+    auto fresh = made(batch.size(), [&](std::size_t i) { return make(batch[i]); });
     std::vector<Checkpoint::Record> records;
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      records.emplace_back(keys[batch[i]], made[i]);
-      results[batch[i]] = std::move(made[i]);
+      records.emplace_back(keys[batch[i]], fresh[i]);
+      results[batch[i]] = std::move(fresh[i]);
     }
     checkpoint->add(records);
   }

@@ -14,10 +14,18 @@
 
 namespace swarmfit {
 
-// By whom simulations are made, and where they are kept (null: nowhere).
+// What was asked for, counted. Filled by one thread at a time: whoever asks.
+struct Tally {
+  std::int64_t made = 0, found = 0;  // simulations; those in the checkpoint
+  std::int64_t batches = 0;          // in which they were made
+  std::size_t largest_batch = 0;
+};
+
+// By whom simulations are made, where they are kept, and who counts them (null: nowhere, nobody).
 struct Runtime {
   const Executor* executor = &threads();
   Checkpoint* checkpoint = nullptr;
+  Tally* tally = nullptr;
 };
 
 // One simulation to be made.
@@ -69,6 +77,7 @@ class Ensemble {
 
  private:
   using Measure = std::function<std::string(const Run&, std::size_t)>;
+  std::vector<std::string> made(std::size_t count, const Executor::Work& work) const;
   std::vector<std::string> measured_bytes(std::span<const Job> jobs, const std::string& name, const Measure& measure) const;
 
   const Conditions& conditions_;

@@ -118,7 +118,7 @@ std::vector<Outcome> Objective::evaluate(const Candidates& candidates, std::span
 }
 
 std::vector<Outcome> Objective::outcomes(Replicates& replicates, const Candidates& candidates, const std::vector<bool>& wanted,
-                                         std::span<const Rng> seeds, int finer) const {
+                                         std::span<const Rng> seeds, int finer, std::size_t known) const {
   std::optional<Journal> journal;
   if (ensemble_.runtime().checkpoint) journal.emplace(*ensemble_.runtime().checkpoint);
   std::vector<Outcome> out(candidates.size());
@@ -127,10 +127,11 @@ std::vector<Outcome> Objective::outcomes(Replicates& replicates, const Candidate
   for (std::size_t c = 0; journal && c < candidates.size(); ++c) {
     if (!wanted[c]) continue;
     keys[c] = Journal::key(ensemble_.identity(finer), candidates[c], seeds);
-    auto known = journal->find(keys[c]);
-    if (!known) continue;
-    out[c] = std::move(*known);
+    auto found = journal->find(keys[c]);
+    if (!found) continue;
+    out[c] = std::move(*found);
     missing[c] = false;
+    if (Tally* tally = ensemble_.runtime().tally) tally->found += static_cast<std::int64_t>(seeds.size() - known);
   }
   extend(replicates, candidates, missing, seeds, finer);
   std::vector<std::pair<std::string, Outcome>> fresh;
@@ -147,10 +148,10 @@ std::vector<Outcome> Objective::outcomes(Replicates& replicates, const Candidate
 std::vector<Outcome> Objective::race(const Candidates& candidates, std::span<const Rng> seeds, std::size_t first,
                                      const Worth& worth) const {
   Replicates replicates(candidates.size());
-  auto out = outcomes(replicates, candidates, std::vector<bool>(candidates.size(), true), seeds.first(first), 1);
+  auto out = outcomes(replicates, candidates, std::vector<bool>(candidates.size(), true), seeds.first(first), 1, 0);
   for (Outcome& heat : out) heat.first = heat.guided;
   const std::vector<bool> on = worth(out);
-  auto whole = outcomes(replicates, candidates, on, seeds, 1);
+  auto whole = outcomes(replicates, candidates, on, seeds, 1, first);
   for (std::size_t c = 0; c < out.size(); ++c) {
     if (!on[c]) continue;
     whole[c].first = std::move(out[c].first);
@@ -161,7 +162,7 @@ std::vector<Outcome> Objective::race(const Candidates& candidates, std::span<con
 
 Outcome Objective::energies(const std::vector<double>& candidate, std::span<const Rng> seeds, int finer) const {
   Replicates none(1);
-  return outcomes(none, {candidate}, {true}, seeds, finer).front();
+  return outcomes(none, {candidate}, {true}, seeds, finer, 0).front();
 }
 
 Outcome Objective::evaluate(const std::vector<double>& candidate, std::span<const Rng> seeds, int finer) const {

@@ -48,9 +48,9 @@ class Objective {
   // Runs on these seeds, appended to those of each candidate that is wanted.
   void extend(Replicates& replicates, const Candidates& candidates, const std::vector<bool>& wanted, std::span<const Rng> seeds,
               int finer) const;
-  // Outcomes of those that are wanted, from the checkpoint or from as many more runs as it takes.
+  // Outcomes of those that are wanted, from the checkpoint or from as many more runs as it takes. Of so many seeds they are known already.
   std::vector<Outcome> outcomes(Replicates& replicates, const Candidates& candidates, const std::vector<bool>& wanted,
-                                std::span<const Rng> seeds, int finer) const;
+                                std::span<const Rng> seeds, int finer, std::size_t known) const;
   Energies energy_scores(std::span<const ScoredRun> runs, std::vector<Energies>& replicates) const;
 
   const Target& target_;

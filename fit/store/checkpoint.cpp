@@ -50,11 +50,21 @@ Checkpoint::Checkpoint(std::string path, const RunIdentity& run) : path_(std::mo
   const std::string bytes = read_file(path_);
   require_same_run(path_, bytes, run);
   file_.emplace(path_);
-  read(std::string_view(bytes).substr(head_.size()));
+  const std::size_t good = head_.size() + read(std::string_view(bytes).substr(head_.size()));
+  if (good < bytes.size()) file_->truncate(good);
 }
 
-// Whole records up to the first that is not; the file is cut there.
-void Checkpoint::read(std::string_view records) {
+Checkpoint::Checkpoint(const std::string& path, const RunIdentity& run, std::string_view bytes)
+    : path_(path), head_(head(run)), written_(false), seal_(sha256_hex(head_)) {
+  if (bytes.empty()) return;
+  require_same_run(path, bytes, run);
+  read(bytes.substr(head_.size()));
+}
+
+Checkpoint Checkpoint::copy_of(std::string_view bytes, const std::string& path, const RunIdentity& run) { return {path, run, bytes}; }
+
+// Whole records up to the first that is not.
+std::size_t Checkpoint::read(std::string_view records) {
   ByteReader from(records);
   std::size_t good = 0;
   while (!from.empty()) {
@@ -66,7 +76,7 @@ void Checkpoint::read(std::string_view records) {
     kept_.insert_or_assign(std::string(payload.substr(0, kDigest)), std::string(payload.substr(kDigest)));
     good += sizeof size + payload.size() + seal.size();
   }
-  if (good < records.size()) file_->truncate(head_.size() + good);
+  return good;
 }
 
 std::optional<std::string> Checkpoint::find(const std::string& key) const {
@@ -76,6 +86,7 @@ std::optional<std::string> Checkpoint::find(const std::string& key) const {
 }
 
 void Checkpoint::add(std::span<const Record> records) {
+  if (!written_) return;
   const std::lock_guard guard(lock_);
   std::string bytes;
   for (const auto& [key, value] : records) {
