@@ -47,10 +47,16 @@ struct FitArguments {
 };
 
 struct ResumeArguments {
-  std::string dir;
+  std::string dir, part;
   int threads = 0;
   double max_time = 0;
   bool json = false, quiet = false;
+};
+
+struct MergeArguments {
+  std::vector<std::string> dirs;
+  std::string out;
+  ResumeArguments resume;  // how the whole is finished
 };
 
 struct ReportArguments {
@@ -61,6 +67,7 @@ struct ReportArguments {
 
 struct RecoverArguments {
   Common common;
+  std::string part;  // "k/n"; empty: all
   std::vector<std::string> models, planted, set;
   std::string preset, out, budget = "quick", protocol = "default", scoring, observation_error, lags, resolution, calibration, steps;
   std::int64_t max_evaluations = 0, frames = 300;
@@ -75,6 +82,7 @@ struct RecoverArguments {
 
 struct PowerArguments {
   FitArguments fit;
+  std::string part;  // "k/n"; empty: all
   int seeds = 3;
 };
 

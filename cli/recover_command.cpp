@@ -10,6 +10,7 @@
 #include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/parts.h"
 #include "cli/progress.h"
 #include "cli/settings.h"
 #include "cli/style.h"
@@ -103,8 +104,8 @@ int recover_models_of(const RecoverArguments& a, const RecoveryOptions& options,
     progress.done(fmt::format("{}, seed {}: {} first", options.planted[c.planted].name, c.seed, c.order.front()));
   };
   const auto on_progress = [&](const CompareProgress& now) { progress.show(now); };
-  const Recovery result = recover_models(options, on_case, {on_progress, {&executor(), &checkpoint}});
-  if (!cluster().first()) return 0;
+  const Recovery result = recover_models(options, on_case, {on_progress, {&executor(), &checkpoint}, parse_part(a.part)});
+  if (!cluster().first() || !a.part.empty()) return 0;
   const Settings settings = resolved(a, options);
   write_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : recovery_text(result, style()).c_str(), stdout);
@@ -115,8 +116,8 @@ int recover_parameters_of(const RecoverArguments& a, const RecoveryOptions& opti
   const auto on_case = [&](std::size_t done) {
     if (!a.common.quiet) std::fprintf(stderr, "%zu/%d\n", done, options.seeds);
   };
-  const ParameterRecovery result = recover_parameters(options, on_case, {&executor(), &checkpoint});
-  if (!cluster().first()) return 0;
+  const ParameterRecovery result = recover_parameters(options, on_case, {&executor(), &checkpoint}, parse_part(a.part));
+  if (!cluster().first() || !a.part.empty()) return 0;
   const Settings settings = resolved(a, options);
   write_parameter_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : parameter_recovery_text(result, style()).c_str(), stdout);
@@ -128,12 +129,14 @@ int recover_parameters_of(const RecoverArguments& a, const RecoveryOptions& opti
 int recover(const RecoverArguments& a) {
   use_threads(a.common);
   const RecoveryOptions options = recovery_options(a);
+  parse_part(a.part);
   const std::string dir = a.out.empty() ? "swarmfit-recovery" : a.out;
   if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, "", config_toml("recover", resolved(a, options))}, a.resume);
   try {
     const int code = a.parameters ? recover_parameters_of(a, options, dir, checkpoint) : recover_models_of(a, options, dir, checkpoint);
+    if (!a.part.empty()) return cluster().first() ? part_done(dir, parse_part(a.part), a.common.quiet) : 0;
     remove_checkpoint(dir);
     return code;
   } catch (const Interrupted&) {

@@ -40,6 +40,9 @@ class Checkpoint {
   // new one. Throws as the one above, naming `path`.
   static Checkpoint copy_of(std::string_view bytes, const std::string& path, const RunIdentity& run);
 
+  // A new one at `to`, with all that these hold. Throws InputError if one is damaged at its head or belongs to another run than the first.
+  static void merge(std::span<const std::string> paths, const std::string& to);
+
   // Of what was there when it was taken up; a run does not ask twice, and need not have in memory what it adds.
   std::optional<std::string> find(const std::string& key) const;
   // Throws RunError when the disk is full; what was added before stays good.
@@ -49,7 +52,7 @@ class Checkpoint {
 
  private:
   Checkpoint(const std::string& path, const RunIdentity& run, std::string_view bytes);
-  std::size_t read(std::string_view records);  // returns how many bytes were good
+  std::size_t read(std::string_view records, const std::string& first_seal);  // that of their head; returns how many bytes were good
 
   std::string path_, head_;
   bool written_ = true;  // to disk

@@ -88,12 +88,16 @@ std::pair<int, int> coverage_band(int n, int tests) {
   return {static_cast<int>(quantile(law, tail)), static_cast<int>(quantile(law, 1 - tail))};
 }
 
-ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case, const Runtime& runtime) {
+ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case, const Runtime& runtime,
+                                     const Part& part) {
   const ModelChoice& model = options.planted.front();
   const CompareOptions compare = with_shared_constants(options.compare, options.scales);
   const SearchSpace prior(model, options.scales, compare.requests);
   ParameterRecovery out{model.name, {}, {}, 0, 0, 0};
   for (std::uint64_t seed = options.compare.seed; static_cast<int>(out.cases.size()) < options.seeds; ++seed) {
+    const std::uint64_t number = seed - options.compare.seed;
+    if (part.of > 1 && number == static_cast<std::uint64_t>(options.seeds)) break;
+    if (!part.has(number)) continue;
     Point x(prior.dimensions());
     for (Eigen::Index a = 0; a < x.size(); ++a)
       x[a] = 0.5 + kMiddle * (Rng{seed}.uniform(Stream::probe, 0, static_cast<std::uint32_t>(a)) - 0.5);

@@ -63,7 +63,7 @@ std::vector<PowerPair> power_pairs(const Recovery& recovery) {
 
 Power power(const Tracks& recording, const PowerOptions& options, const OnPower& on_power, const StudyHooks& hooks) {
   const std::size_t all = 1 + options.compare.models.size() * static_cast<std::size_t>(options.seeds);
-  std::size_t done = 0;
+  std::size_t done = 0, number = 0;
   const auto tell = [&] {
     if (on_power) on_power(done++, all);
   };
@@ -88,6 +88,7 @@ Power power(const Tracks& recording, const PowerOptions& options, const OnPower&
     out.recovery.confusion.emplace_back(options.compare.models.size(), 0);
     for (int k = 1; k <= options.seeds; ++k) {
       again.seed = options.compare.seed + static_cast<std::uint64_t>(k);
+      if (!hooks.part.has(number++)) continue;
       auto one = kept<RecoveryCase>(hooks.runtime.checkpoint, fmt::format("case {} {}", model.name, again.seed), [&] {
         const Run film = ensemble.run({parameters, Rng{again.seed}.derive(Stream::law, m)});
         if (film.blew_up) return std::optional<RecoveryCase>();

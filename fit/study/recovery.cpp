@@ -87,6 +87,7 @@ CompareOptions with_shared_constants(CompareOptions compare, const Scales& scale
 Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case, const StudyHooks& hooks) {
   CompareOptions compare_options = with_shared_constants(options.compare, options.scales);
   Recovery out;
+  std::size_t number = 0;
   for (const auto& model : options.compare.models) out.compared.push_back(model.name);
   for (std::size_t p = 0; p < options.planted.size(); ++p) {
     const ModelChoice& model = options.planted[p];
@@ -100,6 +101,7 @@ Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on
     for (int k = 1; k <= options.seeds; ++k) {
       const std::uint64_t seed = options.compare.seed + static_cast<std::uint64_t>(k) - 1;
       compare_options.seed = seed;
+      if (!hooks.part.has(number++)) continue;
       add_case(out, *kept<RecoveryCase>(hooks.runtime.checkpoint, fmt::format("case {} {}", model.name, seed), [&] {
                  const auto parameters = varied(model, out.parameters.back(), options.scales, options.spread, seed, set);
                  const Tracks recording = planted_recording(model, parameters, options.film, options.scales, seed);

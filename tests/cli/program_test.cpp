@@ -361,4 +361,31 @@ TEST_F(Program, FitsOneModel) {
   EXPECT_THAT(r.out, AllOf(HasSubstr("\"command\": \"fit\""), HasSubstr("\"rank\": 1")));
 }
 
+// Every job does its share, in any order; together they come to the files of one.
+TEST_F(Program, MergesPartsOfAStudy) {
+  const std::string study = "recover -m brownian,langevin --seeds 2 --agents 6 --frames 40 --max-evaluations 5 -q ";
+  const Result whole = run(study + "--out whole");
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  for (const char* part : {"3", "1", "2"}) {
+    const Result r = run(study + "--out part-" + part + " --part " + part + "/3");
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_THAT(r.out, IsEmpty());
+    EXPECT_FALSE(fs::exists(dir_ / ("part-" + std::string(part)) / "recovery.json")) << "a part is no result";
+  }
+  const Result merged = run("merge part-2 part-1 part-3 -q --out together");
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(merged.out, whole.out);
+  for (const char* file : {"recovery.json", "config.toml", "report.html"})
+    EXPECT_EQ(content(dir_ / "together" / file), content(dir_ / "whole" / file)) << file;
+
+  expect_refused("merge part-1 part-3 --out other", "part 2 of 3 is missing");
+  expect_refused("merge part-1 part-1 part-2 part-3 --out other", "expected each part once");
+  expect_refused("merge whole part-1 --out other", "whole: no finished part");
+  run("recover -m brownian,langevin --seeds 3 --agents 6 --frames 40 --max-evaluations 5 -q --out else --part 1/3");
+  expect_refused("merge part-2 part-3 else --out other", "another study");
+  EXPECT_FALSE(fs::exists(dir_ / "other"));
+  for (const char* part : {"0/3", "4/3", "1", "a/b", "1/3x", "1/"})
+    expect_refused(study + "--out other --part " + part, "expected k/n with k from 1 to n");
+}
+
 }  // namespace
