@@ -238,8 +238,8 @@ class Brownian : public Model {
 
 const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
-  constexpr std::string_view rayleigh = "friction=rayleigh", depot = "friction=depot", morse = "interaction=morse";
-  constexpr std::string_view repulsion = "interaction=repulsion|morse";
+  constexpr const char *rayleigh = "friction=rayleigh", *depot = "friction=depot", *morse = "interaction=morse";
+  constexpr const char* repulsion = "interaction=repulsion|morse";
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{

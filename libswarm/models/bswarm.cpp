@@ -100,8 +100,8 @@ const std::vector<Option>& option_table() {
 
 const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
-  constexpr std::string_view field = "noise=curl|perlin", on = "interaction=on", orca = "avoidance=orca";
-  constexpr std::string_view sde = "noise=white|gaussian,noise_scaling=sde", literal = "noise=white|gaussian,noise_scaling=literal";
+  constexpr const char *field = "noise=curl|perlin", *on = "interaction=on", *orca = "avoidance=orca";
+  constexpr const char *sde = "noise=white|gaussian,noise_scaling=sde", *literal = "noise=white|gaussian,noise_scaling=literal";
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{

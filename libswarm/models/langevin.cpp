@@ -104,7 +104,7 @@ class Langevin : public Model {
 
 const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
-  constexpr std::string_view okubo = "Okubo 1986", reynolds = "Reynolds et al. 2017";
+  constexpr const char *okubo = "Okubo 1986", *reynolds = "Reynolds et al. 2017";
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{

@@ -143,7 +143,7 @@ class Rvo : public Model {
 
 const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
-  constexpr std::string_view about_centre = "goal=random|center";
+  constexpr const char* about_centre = "goal=random|center";
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{
