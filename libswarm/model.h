@@ -17,10 +17,12 @@ namespace swarmfit {
 // What is known when a model is made, before any agent exists.
 struct Setup {
   int dims = 3;
-  Options options;                    // complete
+  Options options = {};               // complete once make_model hands it on
   Scales scales;                      // of the recording, or all 1 in a scene
   const Tracks* reference = nullptr;  // the recording, for models that need one; outlives the model
   Rng rng{};                          // for what is drawn once per model, such as samples of the reference
+  double step = 0;                    // length of the steps to come [s]; 0: not known yet
+  int kinds = 1;                      // State::kind will be less than this
 };
 
 // A model's private workspace for one run: noise tables, buffers. Never carries results between steps.
@@ -53,6 +55,10 @@ class Model {
  public:
   virtual ~Model() = default;
 
+  // What the spec said, for whoever steps it; kept by make_model.
+  const std::string& name() const { return name_; }
+  Update update() const { return update_; }
+
   // Number of private columns: ModelSpec::columns.size().
   virtual Index columns() const { return 0; }
 
@@ -65,6 +71,16 @@ class Model {
   // same rows and the same private columns; a model that declares itself sequential may reread what it wrote. Returns halve_dt to have the
   // step redone as two, and blew_up when motion is no longer finite. One call per step, never per agent. The bounds are kept afterwards.
   virtual Step step(const State& now, State& next, const World&, const StepContext&) const = 0;
+
+ private:
+  friend std::unique_ptr<Model> make_model(const ModelChoice&, Setup);
+  std::string name_ = "unnamed";
+  Update update_ = Update::synchronous;
 };
+
+// The only way to make a model: checks that it gets what its spec asks for, and that the spec agrees with itself. Options are those of the
+// choice. Throws InputError: dimensions it cannot move in, no recording or one in other dimensions, steps that are not its own, more kinds
+// of agents than it has, an option it does not know.
+std::unique_ptr<Model> make_model(const ModelChoice& choice, Setup setup);
 
 }  // namespace swarmfit

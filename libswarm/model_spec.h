@@ -80,6 +80,7 @@ struct ModelSpec {
   std::vector<int> dims;  // of motion it can simulate
   Update update = Update::synchronous;
   bool needs_reference = false;  // cannot be made without a recording (FASTSWARM)
+  bool fixed_step = false;       // steps are the recording's frame interval, without a recording native_dt (FASTSWARM)
   double native_dt = 0.01;       // of scenes [s]
   // With these options (as in Parameter::when; "always") the model is a map from one decision to the next: half the step is another model,
   // and fits take one step per frame. Empty: it stands for motion in continuous time, and any step that is fine enough will do.
@@ -88,6 +89,7 @@ struct ModelSpec {
   std::string quiet = {};        // options or parameters that leave no randomness: "noise=none", "eta=0,xi=0"; empty: there is none anyway
   std::vector<Option> options;
   std::vector<std::string> columns;  // names of its private columns in State::own
+  std::vector<std::string> kinds;    // what State::kind means to it, such as "sheep", "dog"; empty: all agents are alike to it
   std::vector<Parameter> parameters;
   std::function<std::unique_ptr<Model>(const Setup&)> make = {};  // called by make_model and nobody else
 
@@ -97,7 +99,7 @@ struct ModelSpec {
   int find(std::string_view parameter) const;
   // Is parameter p used under these (complete) options?
   bool uses(std::size_t p, const Options& options) const;
-  // Does it decide once per step under these (complete) options?
+  // Does it decide once per step under these (complete) options? So does whatever has a fixed step.
   bool is_map(const Options& options) const;
 };
 

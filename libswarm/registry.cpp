@@ -126,7 +126,7 @@ bool ModelSpec::uses(std::size_t p, const Options& given) const {
   return when.empty() || meets(when, given);
 }
 
-bool ModelSpec::is_map(const Options& given) const { return map == "always" || (!map.empty() && meets(map, given)); }
+bool ModelSpec::is_map(const Options& given) const { return fixed_step || map == "always" || (!map.empty() && meets(map, given)); }
 
 ModelChoice parse_model(std::string_view text, std::span<const ModelSpec> more) {
   const std::size_t bracket = text.find('[');

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "libswarm/simulate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "libtrack/error.h"
 
 namespace swarmfit {
 namespace {
@@ -84,7 +87,7 @@ class Run {
       case Step::done:
         return accept();
       case Step::halve_dt:
-        assert(halvings > 0);
+        if (halvings == 0) throw InputError(ask_too_much(t));
         ++lane_.count.halved_steps;
         advance(t, length / 2, tick, halvings - 1);
         return advance(t + length / 2, length / 2, tick + (std::uint64_t{1} << (halvings - 1)), halvings - 1);
@@ -92,6 +95,12 @@ class Run {
         lane_.blew_up = true;
         return;
     }
+  }
+
+  std::string ask_too_much(double t) const {
+    return fmt::format(
+        "model {}: asks for half a step at {:g} s, after {} halvings; expected a step as long as it is where it may not halve",
+        model_.name(), t, kHalvings);
   }
 
   void accept() {

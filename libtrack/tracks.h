@@ -78,6 +78,7 @@ class Tracks {
   std::span<const std::int64_t> frame() const { return columns_.frame; }
   std::span<const std::int64_t> episodes() const { return columns_.episodes; }
   std::uint8_t kind(Index row) const { return columns_.kind.empty() ? 0 : columns_.kind[static_cast<std::size_t>(row)]; }
+  int kinds() const;  // all of them are less than this; at least 1
   const std::vector<std::string>& names() const { return columns_.names; }
 
   std::span<const FrameRange> frames() const { return frames_; }  // ascending; frames without anybody are absent

@@ -42,13 +42,17 @@ Objective::Objective(const ModelChoice& model, const Conditions& conditions, con
     : conditions_(conditions), target_(target), journal_(journal), choice_(model) {
   const Tracks& recording = conditions.recording;
   const Tracks* reference = conditions.reference ? conditions.reference.get() : &recording;
-  model_ = model.spec->make({recording.dims(), model.options, conditions.scales, reference});
   plan_.frame_dt = recording.dt();
   stable_steps_ = swarmfit::stable_steps(model, conditions.scales, recording.dt());
   use_steps(conditions.options.steps > 0 ? conditions.options.steps : stable_steps_);
   plan_.first_frame = conditions.first_frame;
   plan_.frames = conditions.frames;
   plan_.speed_limit = kEscapeSpeed * conditions.scales.speed;
+  model_ = make_model(model, {.dims = recording.dims(),
+                              .scales = conditions.scales,
+                              .reference = reference,
+                              .step = plan_.frame_dt / plan_.substeps,
+                              .kinds = recording.kinds()});
 }
 
 void Objective::use_steps(int steps) { plan_.substeps = choice_.spec->is_map(choice_.options) ? 1 : steps; }
@@ -60,7 +64,7 @@ Tracks Objective::simulate(const std::vector<double>& candidate, const Rng& seed
   Observer camera(as_recorded ? &conditions_.recording : nullptr, conditions_.sigma, seed, collector,
                   static_cast<std::uint32_t>(conditions_.recording.track_count()), conditions_.grid);
   Plan plan = plan_;
-  plan.substeps *= finer;
+  if (!choice_.spec->fixed_step) plan.substeps *= finer;
   Lane lane{candidate, seed, State{}, conditions_.world, &camera, {}, false};
   cpu_backend().run(*model_, plan, {&lane, 1});
   count = lane.count;

@@ -108,7 +108,7 @@ Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, co
   plan.frame_dt = options.dt;
   plan.substeps = options.substeps;
   plan.frames = options.warm_up + options.frames;
-  const auto rule = model.spec->make({options.dims, model.options, options.scales, nullptr});
+  const auto rule = make_model(model, {.dims = options.dims, .scales = options.scales, .step = plan.frame_dt / plan.substeps});
   World world;
   world.dims = options.dims;
   world.bounds = options.arena;

@@ -304,9 +304,8 @@ TEST_P(EveryModel, ManyRandomCandidatesMoveAboutAsFastAsTheRecording) {
     swarmfit::Setup setup;  // not testing::Test::Setup
     const Tracks reference = recording_of(crowd(make(GetParam()), r.agents, 2 * r.scales.extent, r.scales.speed).state);
     setup.reference = &reference;
-    setup.options = choice.options;
     setup.scales = r.scales;
-    const Made made{choice, choice.spec->make(setup)};
+    const Made made{choice, make_model(choice, setup)};
     Plan plan{.frame_dt = r.dt, .substeps = stable_steps(choice, r.scales, r.dt), .frames = 150};
     int matching = 0;
     const std::uint32_t candidates = 100;
