@@ -46,6 +46,7 @@ struct StepContext {
   Neighbours& near;
   Workspace* work;  // made by Model::workspace for this run
   Counters& count;
+  std::span<const Index> order = {};  // sequential models: rows in the order in which they move, drawn by id for every step
 };
 
 enum class Step { done, halve_dt, blew_up };
@@ -68,8 +69,9 @@ class Model {
   virtual std::unique_ptr<Workspace> workspace(const World&, const Rng&) const { return nullptr; }
 
   // Advances all agents by one step. Reads only the frozen `now`, writes only pos, vel and own of `next`, which has the same agents in the
-  // same rows and the same private columns; a model that declares itself sequential may reread what it wrote. Returns halve_dt to have the
-  // step redone as two, and blew_up when motion is no longer finite. One call per step, never per agent. The bounds are kept afterwards.
+  // same rows and the same private columns. For a sequential model `next` starts as a copy of `now`: it moves the rows of
+  // StepContext::order one after the other, and may reread what it wrote. Returns halve_dt to have the step redone as two, and blew_up when
+  // motion is no longer finite. One call per step, never per agent. World::constrain follows.
   virtual Step step(const State& now, State& next, const World&, const StepContext&) const = 0;
 
  private:

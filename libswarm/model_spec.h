@@ -71,6 +71,7 @@ using Options = std::map<std::string, std::string, std::less<>>;
 class Model;
 struct Setup;
 
+// All agents at once, from what was; or one after the other, each seeing where those before it are now.
 enum class Update { synchronous, sequential };
 
 struct ModelSpec {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "libtrack/error.h"
 
@@ -83,7 +84,9 @@ class Run {
   void advance(double t, double length, std::uint64_t tick, int halvings) {
     if (now_.size() == 0 || lane_.blew_up) return;
     if (now_.own.cols() > 0) next_.own = now_.own;
-    switch (model_.step(now_, next_, lane_.world, context(t, length, tick, halvings))) {
+    StepContext c = context(t, length, tick, halvings);
+    if (model_.update() == Update::sequential) c.order = take_turns(tick);
+    switch (model_.step(now_, next_, lane_.world, c)) {
       case Step::done:
         return accept();
       case Step::halve_dt:
@@ -95,6 +98,21 @@ class Run {
         lane_.blew_up = true;
         return;
     }
+  }
+
+  // Everybody begins where they are; the order of moves depends on ids, not on rows.
+  std::span<const Index> take_turns(std::uint64_t tick) {
+    next_.pos = now_.pos;
+    next_.vel = now_.vel;
+    turns_.clear();
+    for (Index row = 0; row < now_.size(); ++row) {
+      const std::uint32_t id = now_.id[static_cast<std::size_t>(row)];
+      turns_.push_back({lane_.rng.uniform(Stream::order, tick, id), id, row});
+    }
+    std::sort(turns_.begin(), turns_.end(), [](const Turn& a, const Turn& b) { return std::tie(a.draw, a.id) < std::tie(b.draw, b.id); });
+    order_.clear();
+    for (const Turn& turn : turns_) order_.push_back(turn.row);
+    return order_;
   }
 
   std::string ask_too_much(double t) const {
@@ -132,6 +150,13 @@ class Run {
   std::vector<double> p_;
   std::unique_ptr<Workspace> work_;
   Neighbours near_;
+  struct Turn {
+    double draw;
+    std::uint32_t id;
+    Index row;
+  };
+  std::vector<Turn> turns_;  // of sequential models
+  std::vector<Index> order_;
 };
 
 struct CpuBackend : Backend {
