@@ -125,7 +125,7 @@ class Run {
     std::swap(now_.pos, next_.pos);
     std::swap(now_.vel, next_.vel);
     std::swap(now_.own, next_.own);
-    lane_.world.bounds.confine(now_, lane_.world.dims);
+    lane_.world.constrain(next_, now_);
     lane_.count.agent_steps += static_cast<std::uint64_t>(now_.size());
     lane_.blew_up = !sane();
   }

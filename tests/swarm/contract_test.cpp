@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "libswarm/stimuli.h"
+#include "libswarm/walls.h"
 #include "tests/swarm/lane.h"
 
 namespace swarmfit {
@@ -260,6 +261,17 @@ TEST_P(EveryModel, StaysInsideTheBounds) {
     EXPECT_FALSE(lane.blew_up);
     EXPECT_LE(kind == Bounds::Kind::sphere ? std::sqrt(p.square().rowwise().sum().maxCoeff()) / 0.87 : p.abs().maxCoeff() / 0.5, 1 + 1e-12);
   }
+}
+
+TEST_P(EveryModel, StaysOutsideObstaclesThatItDoesNotKnow) {
+  const Made made = make(GetParam());
+  Lane lane = busy(made, 40, 3);
+  const Walls walls({{.shape = Obstacle::Shape::box, .lower = {1, 0, 0}, .upper = {1.1, 3, 3}},
+                     {.shape = Obstacle::Shape::sphere, .centre = {2, 2, 2}, .radius = 0.6, .wall = Bounds::Wall::slip}});
+  lane.world.add(walls.clone());
+  run(made, {.frame_dt = 0.01, .frames = 101}, lane);
+  EXPECT_FALSE(lane.blew_up);
+  for (Index i = 0; i < lane.state.size(); ++i) EXPECT_FALSE(walls.hold(lane.state.pos.row(i).transpose(), 3)) << lane.state.pos.row(i);
 }
 
 TEST_P(EveryModel, AgentsComeAndGo) {
