@@ -36,6 +36,14 @@ void check_kinds(const ModelSpec& spec, const Setup& setup) {
     refuse(spec, fmt::format("{} kinds of agents; expected at most {}: {}", setup.kinds, own, fmt::join(spec.kinds, ", ")));
 }
 
+// The enum by which a model finds its parameters must not drift from the table in which it describes them.
+void check_rows(const ModelSpec& spec) {
+  for (std::size_t p = 0; p < spec.parameters.size(); ++p)
+    if (spec.parameters[p].row != p)
+      refuse(spec, fmt::format("parameter {} is row {} of the table and calls itself {}; expected the order of the model's enum",
+                               spec.parameters[p].name, p, spec.parameters[p].row));
+}
+
 }  // namespace
 
 std::unique_ptr<Model> make_model(const ModelChoice& choice, Setup setup) {
@@ -45,6 +53,7 @@ std::unique_ptr<Model> make_model(const ModelChoice& choice, Setup setup) {
   if (spec.needs_reference && !setup.reference) refuse(spec, "cannot be made without a recording; expected one to learn from, as in fit");
   check_step(spec, setup);
   check_kinds(spec, setup);
+  check_rows(spec);
   if (!spec.make) refuse(spec, "has no rule of motion; expected ModelSpec::make");
   auto model = std::invoke(spec.make, setup);
   if (model->columns() != static_cast<Index>(spec.columns.size()))

@@ -39,17 +39,18 @@ struct Parameter {
   enum class Length { extent, spacing };  // which length of the recording scales it in a fit
   enum class Shown { no, speed };         // what a recording shows of it: nothing, or that everybody flies at this speed
 
-  std::string name;    // on the command line and in results
-  std::string symbol;  // as printed in the source
-  Unit unit = {};      // in length units and seconds
-  Range scene = {};    // default and bounds in simulation units, as in the papers: for scenes
-  Range fit = {};      // default and bounds in a fit, in multiples of L^length T^time (or NND^length)
+  std::size_t row = 0;      // its place in the table: what the model's own enum calls it
+  std::string name;         // on the command line and in results
+  std::string symbol = {};  // as printed in the source
+  Unit unit = {};           // in length units and seconds
+  Range scene = {};         // default and bounds in simulation units, as in the papers: for scenes
+  Range fit = {};           // default and bounds in a fit, in multiples of L^length T^time (or NND^length)
   Length length = Length::extent;
-  bool log = false;       // searched on a logarithmic scale; needs a positive lower bound
-  bool fitted = false;    // searched by default
-  std::string when = {};  // used only with these options: "noise=curl|perlin,interaction=on" (| or, comma and); empty: always
-  std::string meaning;    // one line
-  std::string source;     // paper and equation, or why this value
+  bool log = false;          // searched on a logarithmic scale; needs a positive lower bound
+  bool fitted = false;       // searched by default
+  std::string when = {};     // used only with these options: "noise=curl|perlin,interaction=on" (| or, comma and); empty: always
+  std::string meaning = {};  // one line
+  std::string source = {};   // paper and equation, or why this value
   bool integer = false;
   std::string at_lower = {};  // what it means for a fit to end on the lower bound, where that means something
   Shown shown = Shown::no;
@@ -88,10 +89,10 @@ struct ModelSpec {
   std::string map = {};
   double largest_dt = INFINITY;  // of fits, in units of T: the step that is still stable anywhere inside the fit bounds
   std::string quiet = {};        // options or parameters that leave no randomness: "noise=none", "eta=0,xi=0"; empty: there is none anyway
-  std::vector<Option> options;
-  std::vector<std::string> columns;  // names of its private columns in State::own
-  std::vector<std::string> kinds;    // what State::kind means to it, such as "sheep", "dog"; empty: all agents are alike to it
-  std::vector<Parameter> parameters;
+  std::vector<Option> options = {};
+  std::vector<std::string> columns = {};  // names of its private columns in State::own
+  std::vector<std::string> kinds = {};    // what State::kind means to it, such as "sheep", "dog"; empty: all agents are alike to it
+  std::vector<Parameter> parameters = {};
   std::function<std::unique_ptr<Model>(const Setup&)> make = {};  // called by make_model and nobody else
 
   // Every option with its value; throws InputError naming the legal names or values.

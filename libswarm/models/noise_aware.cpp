@@ -207,10 +207,29 @@ class NoiseAware : public Model {
   double reach_ = 0;  // of the recorded positions from their centre; 0 without a recording
 };
 
+const std::vector<Parameter>& parameter_table() {
+  using enum Parameter::Length;
+  // Rows longer than a line would be taken apart, one field a line:
+  // clang-format off
+  static const std::vector<Parameter> table{
+      {.row = kScale, .name = "scale", .symbol = "scale", .unit = {1, 0}, .scene = {2.1368, 0.05, 20}, .fit = {0.5, 0.15, 2}, .log = true,
+       .fitted = true, .when = "noise=curl|perlin", .meaning = "feature size of the noise field", .source = "Table S17"},
+      {.row = kGain, .name = "gain", .symbol = "gain", .unit = {2, -1}, .scene = {1.2394, 0.01, 20}, .fit = {0.35, 0.05, 2.5}, .log = true,
+       .fitted = true, .meaning = "amplitude of the potential; the speed is 1.72 gain / scale", .source = "Table S17"},
+      {.row = kCage, .name = "cage", .symbol = "R", .unit = {1, 0}, .scene = {10, 0.1, 1000}, .fit = {3, 1, 10}, .log = true,
+       .fitted = true,
+       .meaning = "radius of the cage; in a fit it holds at least all recorded positions",
+       .source = "our choice: beyond the swarm, as in section 4 of the paper"},
+      {.row = kHold, .name = "hold", .symbol = "τ", .unit = {0, 1}, .scene = {1.0 / 60, 1e-4, 10}, .fit = {0.05, 0.001, 10}, .log = true,
+       .when = "noise=white", .meaning = "how long a white velocity lasts", .source = "our choice: the paper's frame"},
+  };
+  // clang-format on
+  return table;
+}
+
 }  // namespace
 
 ModelSpec noise_aware_spec() {
-  using enum Parameter::Length;
   return {.name = "noise_aware",
           .summary = "agents carried by a divergence-free noise field inside a cage, without interaction",
           .citation = "Wang et al. 2014, doi:10.1111/cgf.12277; fitted by Ren et al. 2016, doi:10.1371/journal.pone.0155698",
@@ -220,53 +239,7 @@ ModelSpec noise_aware_spec() {
           .quiet = "gain=0",
           .options = {{"noise", {"curl", "perlin", "white"}, "the velocity field"}},
           .columns = {},
-          .parameters =
-              {
-                  {"scale",
-                   "scale",
-                   {1, 0},
-                   {2.1368, 0.05, 20},
-                   {0.5, 0.15, 2},
-                   extent,
-                   true,
-                   true,
-                   "noise=curl|perlin",
-                   "feature size of the noise field",
-                   "Table S17"},
-                  {"gain",
-                   "gain",
-                   {2, -1},
-                   {1.2394, 0.01, 20},
-                   {0.35, 0.05, 2.5},
-                   extent,
-                   true,
-                   true,
-                   "",
-                   "amplitude of the potential; the speed is 1.72 gain / scale",
-                   "Table S17"},
-                  {"cage",
-                   "R",
-                   {1, 0},
-                   {10, 0.1, 1000},
-                   {3, 1, 10},
-                   extent,
-                   true,
-                   true,
-                   "",
-                   "radius of the cage; in a fit it holds at least all recorded positions",
-                   "our choice: beyond the swarm, as in section 4 of the paper"},
-                  {"hold",
-                   "τ",
-                   {0, 1},
-                   {1.0 / 60, 1e-4, 10},
-                   {0.05, 0.001, 10},
-                   extent,
-                   true,
-                   false,
-                   "noise=white",
-                   "how long a white velocity lasts",
-                   "our choice: the paper's frame"},
-              },
+          .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<NoiseAware>(setup); }};
 }
 

@@ -108,8 +108,10 @@ TEST(EverySpec, TableIsSound) {
       EXPECT_GE(o.values.size(), 2u) << o.name;
       EXPECT_EQ(std::set(o.values.begin(), o.values.end()).size(), o.values.size()) << o.name;
     }
-    for (const Parameter& p : spec.parameters) {
+    for (std::size_t k = 0; k < spec.parameters.size(); ++k) {
+      const Parameter& p = spec.parameters[k];
       SCOPED_TRACE(p.name);
+      EXPECT_EQ(p.row, k) << "the model's enum calls this row something else";
       EXPECT_TRUE(parameters.insert(p.name).second);
       EXPECT_FALSE(p.meaning.empty());
       EXPECT_FALSE(p.source.empty());

@@ -110,6 +110,9 @@ TEST(MakeModel, ChecksTheSpecItself) {
   spec.columns = {"fear", "hunger"};
   EXPECT_THAT(error_of(spec, setup), HasSubstr("has 1 private columns and names 2"));
   spec = herd();
+  spec.parameters = {{.row = 1, .name = "speed"}, {.row = 0, .name = "range"}};
+  EXPECT_THAT(error_of(spec, setup), HasSubstr("parameter speed is row 0 of the table and calls itself 1"));
+  spec = herd();
   spec.make = {};
   EXPECT_THAT(error_of(spec, setup), AllOf(HasSubstr("model herd"), HasSubstr("no rule of motion")));
 }

@@ -65,7 +65,7 @@ TEST(Walls, ReflectAtABall) {
   // At 45 degrees of the surface the way turns by a right angle.
   const double y = std::sqrt(0.5);
   const auto aside = moved(world_of({ball(1)}), {-2, y, 0}, {0, y, 0}, {3, 0, 0});
-  EXPECT_AT(aside.pos, -y, 2, 0);  // 2 - y on, y up from y + ... = 2
+  EXPECT_AT(aside.pos, -y, 2 * y, 0);
   EXPECT_AT(aside.vel, 0, 3, 0);
   EXPECT_AT(moved(world_of({ball(1)}), {-2, 1.001, 0}, {2, 1.001, 0}, {1, 0, 0}).pos, 2, 1.001, 0);  // past it
 }
