@@ -10,15 +10,15 @@ Tracks cut(const Tracks& tracks, std::int64_t first, std::int64_t last) {
   const auto begin = std::lower_bound(frame.begin(), frame.end(), first) - frame.begin();
   const auto end = std::lower_bound(frame.begin(), frame.end(), last) - frame.begin();
   TrackColumns c;
-  c.names.resize(tracks.track_count());  // nobody reads them
+  c.names = tracks.names();
   c.track.assign(tracks.track().begin() + begin, tracks.track().begin() + end);
   c.frame.assign(frame.begin() + begin, frame.begin() + end);
   c.pos = tracks.pos().middleRows(begin, end - begin);
   if (tracks.has_velocity()) c.vel = tracks.vel().middleRows(begin, end - begin);
+  if (tracks.has_acceleration()) c.acc = tracks.acc().middleRows(begin, end - begin);
+  if (const auto& kind = tracks.columns().kind; !kind.empty()) c.kind.assign(kind.begin() + begin, kind.begin() + end);
   c.episodes.assign(tracks.episodes().begin(), tracks.episodes().end());
-  TrackMeta meta = tracks.meta();
-  meta.from = {};
-  return Tracks(std::move(c), std::move(meta));
+  return Tracks(std::move(c), tracks.meta());
 }
 
 }  // namespace swarmfit
