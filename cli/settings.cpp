@@ -105,7 +105,11 @@ ConditionOptions condition_options(const FitArguments& a) {
   return o;
 }
 
+}  // namespace
+
+// What needs an escape is written as a literal string if it can be: CLI11 reads escapes back as they stand.
 std::string quoted(const std::string& text) {
+  if (text.find_first_of("\"\\") != std::string::npos && text.find('\'') == std::string::npos) return "'" + text + "'";
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -119,8 +123,6 @@ std::string quoted(const std::vector<std::string>& texts) {
   for (const auto& text : texts) parts.push_back(quoted(text));
   return fmt::format("[{}]", fmt::join(parts, ", "));
 }
-
-}  // namespace
 
 Tracks load(const DataArguments& data, const std::string& path) {
   const ReadOptions options = read_options(data);
