@@ -14,6 +14,7 @@
 
 #include "fit/experiment/plant.h"
 #include "libeval/lags.h"
+#include "libtrack/cut.h"
 #include "libtrack/error.h"
 #include "libtrack/read/read.h"
 #include "libtrack/write/write.h"
@@ -127,9 +128,10 @@ std::string quoted(const std::vector<std::string>& texts) {
 Tracks load(const DataArguments& data, const std::string& path) {
   const ReadOptions options = read_options(data);
   // The built-in recording goes through the reader like any other, so that --frames, --fill-gaps and the rest hold for it too.
-  if (path == "demo") return read_tracks_bytes("demo", to_csv(demo_recording()), options);
-  if (path != "-") return read_tracks(path, options);
-  return read_tracks_bytes("standard input", {std::istreambuf_iterator<char>(std::cin), {}}, options);
+  Tracks tracks = path == "demo" ? read_tracks_bytes("demo", to_csv(demo_recording()), options)
+                  : path != "-"  ? read_tracks(path, options)
+                                 : read_tracks_bytes("standard input", {std::istreambuf_iterator<char>(std::cin), {}}, options);
+  return data.kind.empty() ? tracks : of_kind(tracks, kind_named(tracks, data.kind));
 }
 
 std::vector<ModelChoice> parse_models(const std::vector<std::string>& texts) {
@@ -244,6 +246,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("format", a.data.format);
   text("frames", a.data.frames);
   text("times", a.data.times);
+  text("kind", a.data.kind);
   positive("fill-gaps", a.data.fill_gaps);
   out.emplace_back("seed", std::to_string(a.common.seed));
   text("protocol", a.protocol);

@@ -31,6 +31,7 @@ struct TrackMeta {
   double t0 = 0;     // time of frame number 0 [s]
   std::string unit;  // length unit, as in the file or as given: "mm", "m", "px", ...
   Provenance from;
+  std::vector<std::string> kinds = {};  // what kinds 0, 1, ... are called; may be shorter than there are kinds
 };
 
 // One row per observation, in any order: the raw material of Tracks.

@@ -291,6 +291,31 @@ TEST_F(Program, SeveralRecordingsGetAFolderEachAndASummary) {
   expect_refused("fit film.csv again/film.csv -m boids", "expected one recording");
 }
 
+TEST_F(Program, OneKindOfAnimalByItself) {
+  std::string all = "id,frame,x,y,kind\n", sheep = all;
+  for (int frame = 0; frame < 12; ++frame)
+    for (int animal = 0; animal < 4; ++animal) {
+      const std::string row = std::to_string(animal) + ',' + std::to_string(frame) + ',' +
+                              std::to_string(animal * 3 + 0.1 * frame * animal) + ',' +
+                              std::to_string(0.2 * frame - 0.01 * frame * frame * animal) + ',' + (animal == 1 ? "1" : "0") + '\n';
+      all += row;
+      if (animal != 1) sheep += row;
+    }
+  write("all.csv", all);
+  write("sheep.csv", sheep);
+  const std::string how = " --fps 10 --unit m --json";
+  const auto facts = [&](const std::string& arguments) {
+    const Result r = run(arguments);
+    EXPECT_EQ(r.code, 0) << r.err;
+    return r.out;
+  };
+  EXPECT_THAT(facts("describe all.csv --kind 0" + how), HasSubstr("\"individuals\": 3"));
+  EXPECT_THAT(facts("describe all.csv" + how), HasSubstr("\"individuals\": 4"));
+  EXPECT_EQ(facts("evaluate all.csv all.csv --kind 0" + how), facts("evaluate sheep.csv sheep.csv" + how));
+  EXPECT_NE(facts("evaluate all.csv all.csv" + how), facts("evaluate sheep.csv sheep.csv" + how));
+  expect_refused("describe all.csv --kind wolf --fps 10 --unit m", "--kind wolf: nobody in all.csv is of that kind; expected one of 0, 1");
+}
+
 TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
   const std::string job = "recover -m bswarm,boids --seeds 1 --agents 6 --frames 50 --max-evaluations 10 -q ";
   const Result r = run(job + "--out r");

@@ -45,5 +45,36 @@ TEST(Cut, NothingIsDifferencedAcrossIt) {
   EXPECT_EQ(cut(part, 5, 9).kinds(), 1);
 }
 
+TEST(OfKind, IsARecordingOfThemAlone) {
+  const Tracks all = read(kSheepAndDog, flags()), dog = of_kind(all, 1), sheep = of_kind(all, 0);
+  ASSERT_EQ(dog.rows(), 2);
+  EXPECT_THAT(dog.names(), ElementsAre("dog"));
+  EXPECT_THAT(dog.frame(), ElementsAre(1, 2));
+  EXPECT_THAT(dog.track(), ElementsAre(0, 0));
+  EXPECT_THAT(dog.next(), ElementsAre(1, -1));
+  EXPECT_EQ(dog.kind(0), 1);
+  EXPECT_TRUE((dog.acc().row(1) == all.acc().row(4)).all());
+  EXPECT_TRUE((dog.vel().row(1) == all.vel().row(4)).all());
+  EXPECT_THAT(sheep.frame(), ElementsAre(0, 1, 2));
+  EXPECT_EQ(of_kind(all, 7).rows(), 0);
+}
+
+TEST(OfKind, GoesByNameOrNumber) {
+  Tracks all = read(kSheepAndDog, flags());
+  EXPECT_EQ(kind_named(all, "2"), 2);
+  TrackMeta meta = all.meta();
+  meta.kinds = {"sheep", "dog"};
+  all = Tracks(all.columns(), meta);
+  EXPECT_EQ(kind_named(all, "dog"), 1);
+  EXPECT_EQ(kind_named(all, "1"), 1);
+  EXPECT_EQ(kind_named(all, "2"), 2);
+  try {
+    kind_named(all, "wolf");
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "--kind wolf: nobody in f.csv is of that kind; expected one of sheep (0), dog (1), 2");
+  }
+}
+
 }  // namespace
 }  // namespace swarmfit
