@@ -18,7 +18,7 @@ namespace swarmfit {
 struct Setup {
   int dims = 3;
   Options options = {};               // complete once make_model hands it on
-  Scales scales;                      // of the recording, or all 1 in a scene
+  Scales scales = {};                 // of the recording, or all 1 in a scene
   const Tracks* reference = nullptr;  // the recording, for models that need one; outlives the model
   Rng rng{};                          // for what is drawn once per model, such as samples of the reference
   double step = 0;                    // length of the steps to come [s]; 0: not known yet
