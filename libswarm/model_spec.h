@@ -49,6 +49,7 @@ struct Parameter {
   bool log = false;          // searched on a logarithmic scale; needs a positive lower bound
   bool fitted = false;       // searched by default
   std::string when = {};     // used only with these options: "noise=curl|perlin,interaction=on" (| or, comma and); empty: always
+  std::string needs = {};    // a part of the world without which it does nothing, as users call it: "stimuli"
   std::string meaning = {};  // one line
   std::string source = {};   // paper and equation, or why this value
   bool integer = false;

@@ -74,6 +74,12 @@ class Camera : public FrameSink {
 
 }  // namespace
 
+void refuse_idle(const char* flag, const Parameter& row, double value) {
+  if (row.needs.empty() || value == 0) return;
+  throw InputError(
+      fmt::format("{0} {1}={2:g}: would do nothing, as there are no {3} here; expected 0, or no {1}", flag, row.name, value, row.needs));
+}
+
 std::vector<double> scene_parameters(const ModelChoice& model, const std::map<std::string, double>& set) {
   std::vector<double> values;
   std::vector<std::string_view> names;
@@ -83,6 +89,7 @@ std::vector<double> scene_parameters(const ModelChoice& model, const std::map<st
     if (row < 0)
       throw InputError(
           fmt::format("--set {}: {} has no such parameter; expected one of {}", name, model.spec->name, fmt::join(names, ", ")));
+    refuse_idle("--set", model.spec->parameters[static_cast<std::size_t>(row)], value);
     values[static_cast<std::size_t>(row)] = value;
   }
   return values;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/experiment/plant.h"
 #include "fit/results/axis_scale.h"
 #include "libtrack/error.h"
 
@@ -91,6 +92,7 @@ void SearchSpace::apply(const ModelChoice& model, const ParameterRequests& reque
     const auto* bounds = find_request(requests.bounds, model, table[p].name);
     if (value) {
       check_legal("--set", table[p], *value);
+      refuse_idle("--set", table[p], *value);
       base_[p] = *value;
     }
     if (value || find_request(requests.fix, model, table[p].name)) search(p, false);
@@ -101,6 +103,7 @@ void SearchSpace::apply(const ModelChoice& model, const ParameterRequests& reque
     for (const double end : {lower, upper})
       if (!(table[p].log && end == 0))
         check_legal("--bounds", table[p], end);  // a lower bound of zero makes a logarithmic axis another one
+    refuse_idle("--bounds", table[p], upper);
     axes_[p].lower = lower;
     axes_[p].upper = upper;
     axes_[p].log = table[p].log && lower > 0;  // a zero lower bound is never log-scaled

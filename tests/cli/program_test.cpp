@@ -334,6 +334,8 @@ TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
   expect_refused("recover --parameters -m bswarm,boids", "exactly one model");
   expect_refused("recover -m bswarm,boids --plant brownies", "brownies");
   expect_refused("recover -m bswarm,boids --set speed=3", "model.parameter=value");
+  for (const char* asked : {"recover -m bswarm,boids --set bswarm.chi_res=3", "simulate bswarm --out s.csv --set chi_res=3"})
+    expect_refused(asked, "--set chi_res=3: would do nothing, as there are no stimuli here; expected 0, or no chi_res");
 }
 
 TEST_F(Program, PowerPlantsInTheRecordingsOwnConditions) {
