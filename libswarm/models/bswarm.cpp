@@ -28,10 +28,9 @@
 //
 // Options (first value: default)
 //   noise          curl      noise · curl P(r / scale), fixed in space: agents at one place feel the same force; noise = gain / scale
-//                  perlin    noise · P(r / scale); noise = gain
-//                  gaussian  lambda · G, G standard normal per component, new for each agent and step
-//                  white     lambda · W, W uniform on [-1, 1) per component, likewise
-//                  none      0
+//                  perlin    3.68 noise · P(r / scale), in two dimensions 2.62: as strong as curl noise, root mean square; noise = gain
+//                  / 3.68 gaussian  lambda · G, G standard normal per component, new for each agent and step white     lambda · W, W
+//                  uniform on [-1, 1) per component, likewise none      0
 //   interaction    on | off: F_int = 0 (the paper's "noise only")
 //   avoidance      orca | none
 //   infeasible     when no velocity is free of collisions: zero velocity | substep: redo the step in halves, thrice at most, then zero |
@@ -108,7 +107,8 @@ const std::vector<Parameter>& parameter_table() {
       {.row = kGamma, .name = "gamma", .symbol = "γ", .unit = {-1, 0}, .scene = {11.16, 0.1, 20}, .fit = {1.5, 0.1, 20}, .log = true,
        .fitted = true, .meaning = "quadratic drag", .source = "Eq 3; Table 1 Midge"},
       {.row = kNoise, .name = "noise", .symbol = "gain/scale", .unit = {1, -2}, .scene = {2.51 / 2.20, 0, 40}, .fit = {2, 0, 20},
-       .fitted = true, .when = field, .meaning = "strength of the noise force (gain for Perlin noise)", .source = "Eq 4; Table 1 Midge"},
+       .fitted = true, .when = field,
+       .meaning = "strength of the noise force, root mean square over 1.72 (in two dimensions 1.00)", .source = "Eq 4; Table 1 Midge"},
       {.row = kScale, .name = "scale", .symbol = "scale", .unit = {1, 0}, .scene = {2.20, 0.2, 5}, .fit = {0.5, 0.1, 3}, .log = true,
        .fitted = true, .when = field,
        .meaning = "feature size of the noise field", .source = "Eq 4; Table 1 Midge",
@@ -256,7 +256,7 @@ class Bswarm : public Model {
     const NoiseField& field = static_cast<const Buffers*>(c.work)->field;
     Array3d x = now.pos.row(i).transpose() / c.p[kScale];
     if (per_agent_offset_) x += offset_of(c.rng, id);
-    if (noise_ == Noise::perlin) return flat(c.p[kNoise] * field.potential(x));
+    if (noise_ == Noise::perlin) return flat(c.p[kNoise] * potential_as_strong_as_curl(dims_) * field.potential(x));
     return c.p[kNoise] * (dims_ == 2 ? field.curl2(x) : field.curl(x));
   }
 

@@ -48,12 +48,8 @@ enum Row : std::size_t { kScale, kGain, kCage, kHold };
 
 enum class Noise { curl, perlin, white };
 
-// What perlin and white noise are multiplied by to have the root-mean-square length of curl noise, by number of dimensions: 1.72 and 1.00
-// over 0.27 sqrt(dims) and sqrt(dims / 3).
-struct Match {
-  double perlin, white;
-};
-Match match(int dims) { return dims == 2 ? Match{2.62, 1.23} : Match{3.68, 1.72}; }
+// What white noise is multiplied by to have the root-mean-square length of curl noise: 1.72 and 1.00 over sqrt(dims / 3).
+double white_as_strong_as_curl(int dims) { return dims == 2 ? 1.23 : 1.72; }
 
 constexpr double kTravel = 1.0 / 8;  // longest midpoint step, in units of d0
 constexpr int kMostParts = 64;
@@ -101,8 +97,8 @@ class Flow {
     const double into = (cage_.radius - r) / width_;  // may reach the centre, where there is no direction: the ramp is 1 there
     const Wall wall{ramp(into), r > 0 ? Array3d(from / r) : Array3d(Array3d::Zero()), r};
     if (noise_ == Noise::curl) return strength_ * (into >= 1 ? free_curl(x / scale_) : dims_ == 2 ? curl2(x, wall) : curl3(x, wall));
-    const Array3d v = strength_ * (noise_ == Noise::perlin ? match(dims_).perlin * field_.potential(x / scale_)
-                                                           : match(dims_).white * white_noise(rng_, draw_, id));
+    const Array3d v = strength_ * (noise_ == Noise::perlin ? potential_as_strong_as_curl(dims_) * field_.potential(x / scale_)
+                                                           : white_as_strong_as_curl(dims_) * white_noise(rng_, draw_, id));
     return damped(flat(v), wall);
   }
 
