@@ -108,7 +108,7 @@ const std::vector<Parameter>& parameter_table() {
        .fitted = true, .meaning = "quadratic drag", .source = "Eq 3; Table 1 Midge"},
       {.row = kNoise, .name = "noise", .symbol = "gain/scale", .unit = {1, -2}, .scene = {2.51 / 2.20, 0, 40}, .fit = {2, 0, 20},
        .fitted = true, .when = field,
-       .meaning = "strength of the noise force, root mean square over 1.72 (in two dimensions 1.00)", .source = "Eq 4; Table 1 Midge"},
+       .meaning = "root mean square of the noise force over 1.72 (in two dimensions 1.00)", .source = "Eq 4; Table 1 Midge"},
       {.row = kScale, .name = "scale", .symbol = "scale", .unit = {1, 0}, .scene = {2.20, 0.2, 5}, .fit = {0.5, 0.1, 3}, .log = true,
        .fitted = true, .when = field,
        .meaning = "feature size of the noise field", .source = "Eq 4; Table 1 Midge",
