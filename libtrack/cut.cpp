@@ -48,7 +48,12 @@ Tracks of_kind(const Tracks& tracks, std::uint8_t kind) {
     c.track.push_back(number[tracks.track()[static_cast<std::size_t>(row)]]);
     c.frame.push_back(tracks.frame()[static_cast<std::size_t>(row)]);
   }
-  return Tracks(std::move(c), tracks.meta());
+  TrackMeta meta = tracks.meta();
+  if (const auto others = static_cast<std::size_t>(tracks.rows()) - rows.size(); others > 0)
+    meta.from.notes.push_back(fmt::format("{} row{} of other kinds than {} {} left out", others, others == 1 ? "" : "s",
+                                          kind < meta.kinds.size() ? meta.kinds[kind] : std::to_string(kind),
+                                          others == 1 ? "was" : "were"));
+  return Tracks(std::move(c), std::move(meta));
 }
 
 std::uint8_t kind_named(const Tracks& tracks, const std::string& name) {
