@@ -313,8 +313,8 @@ TEST_F(Program, OneKindOfAnimalByItself) {
               AllOf(HasSubstr("\"tracks\": 3"), HasSubstr("12 rows of other kinds than 0 were left out")));
   EXPECT_THAT(facts("describe all.csv" + how), HasSubstr("\"tracks\": 4"));
   const auto numbers = [&](const std::string& files) {
-    const std::string all = facts("evaluate " + files + how);
-    return all.substr(std::min(all.size(), all.find("\"normalisation\"")));  // without names and hashes of the files
+    const std::string said = facts("evaluate " + files + how);
+    return said.substr(std::min(said.size(), said.find("\"normalisation\"")));  // without names and hashes of the files
   };
   EXPECT_EQ(numbers("all.csv all.csv --kind 0"), numbers("sheep.csv sheep.csv"));
   EXPECT_NE(numbers("all.csv all.csv"), numbers("sheep.csv sheep.csv"));

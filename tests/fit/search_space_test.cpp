@@ -143,15 +143,16 @@ TEST(SearchSpace, EmptyBoundsAreRefused) {
   EXPECT_THROW(SearchSpace(parse_model("bswarm"), kScales, requests), InputError);
 }
 
+std::string refusal(const char* model, const ParameterRequests& requests) {
+  try {
+    SearchSpace(parse_model(model), kScales, requests);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
 TEST(SearchSpace, IllegalValuesAreRefused) {
-  const auto refusal = [](const char* model, const ParameterRequests& requests) -> std::string {
-    try {
-      SearchSpace(parse_model(model), kScales, requests);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "";
-  };
   const auto set = [](const char* name, double value) { return ParameterRequests{{{name, value}}, {}, {}}; };
   EXPECT_THAT(refusal("boids", set("speed", -5)), HasSubstr("--set speed=-5: is not allowed; expected a number greater than 0"));
   EXPECT_THAT(refusal("boids", set("speed", 0)), HasSubstr("greater than 0"));
