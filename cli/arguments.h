@@ -18,7 +18,7 @@ struct Common {
 // A recording and how to read it.
 struct DataArguments {
   std::string path;
-  std::string columns, delimiter, unit, variable, format, frames, times;
+  std::string columns, delimiter, unit, variable, format, frames, times, kind;
   double fps = 0;
   int fill_gaps = 0;
 };

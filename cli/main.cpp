@@ -38,6 +38,7 @@ void add_reading(CLI::App& app, DataArguments& data) {
   app.add_option("--format", data.format, "file format, if it is not found by itself: see swarmfit formats");
   app.add_option("--frames", data.frames, "use frames a:b only, inclusive, in the file's numbering");
   app.add_option("--times", data.times, "use times a:b only, inclusive [s]");
+  app.add_option("--kind", data.kind, "use one kind of individual only, by name or number: sheep, or 0");
   app.add_option("--fill-gaps", data.fill_gaps, "fill gaps of at most this many frames by linear interpolation")
       ->check(CLI::NonNegativeNumber);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // recover: plant models, film them, compare, and count who wins on whose recording.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -63,11 +62,10 @@ RecoveryOptions recovery_options(const RecoverArguments& a) {
 
 Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   std::vector<std::string> compared, planted;
-  const auto quoted = [](const std::string& text) { return fmt::format("\"{}\"", text); };
-  for (const auto& m : o.compare.models) compared.push_back(quoted(m.name));
-  for (const auto& m : o.planted) planted.push_back(quoted(m.name));
-  Settings s{{"model", fmt::format("[{}]", fmt::join(compared, ", "))},
-             {"plant", fmt::format("[{}]", fmt::join(planted, ", "))},
+  for (const auto& m : o.compare.models) compared.push_back(m.name);
+  for (const auto& m : o.planted) planted.push_back(m.name);
+  Settings s{{"model", quoted(compared)},
+             {"plant", quoted(planted)},
              {"seed", std::to_string(a.common.seed)},
              {"seeds", std::to_string(a.seeds)},
              {"agents", std::to_string(a.agents)},
@@ -91,9 +89,7 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   if (!a.scoring.empty()) s.emplace_back("scoring", quoted(a.scoring));
   if (!a.calibration.empty()) s.emplace_back("calibration", quoted(a.calibration));
   if (!a.steps.empty()) s.emplace_back("steps", quoted(a.steps));
-  std::vector<std::string> set;
-  for (const auto& text : a.set) set.push_back(quoted(text));
-  if (!set.empty()) s.emplace_back("set", fmt::format("[{}]", fmt::join(set, ", ")));
+  if (!a.set.empty()) s.emplace_back("set", quoted(a.set));
   return s;
 }
 

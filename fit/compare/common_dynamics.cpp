@@ -55,7 +55,9 @@ CompareOptions with_common_dynamics(const Tracks& recording, const CompareOption
   const Comparison fit = compare(recording, alone, on_progress, runtime);
   for (const ParameterResult& p : fit.models.front().parameters) {
     if (!holds(common.common, p.name)) continue;
-    std::erase_if(common.requests.bounds, [&](const auto& b) { return b.first == p.name || b.first.ends_with("." + p.name); });
+    const auto of_this = [&](const auto& request) { return request.first == p.name || request.first.ends_with("." + p.name); };
+    std::erase_if(common.requests.bounds, of_this);
+    std::erase_if(common.requests.set, of_this);  // where the search was to start: the fuller name would win
     common.requests.set[p.name] = p.value;
   }
   return common;

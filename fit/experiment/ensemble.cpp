@@ -41,13 +41,17 @@ Ensemble::Ensemble(const ModelChoice& model, const Conditions& conditions, const
     : conditions_(conditions), runtime_(runtime), choice_(model) {
   const Tracks& recording = conditions.recording;
   const Tracks* reference = conditions.reference ? conditions.reference.get() : &recording;
-  model_ = model.spec->make({recording.dims(), model.options, conditions.scales, reference});
   plan_.frame_dt = recording.dt();
   stable_steps_ = swarmfit::stable_steps(model, conditions.scales, recording.dt());
   use_steps(conditions.options.steps > 0 ? conditions.options.steps : stable_steps_);
   plan_.first_frame = conditions.first_frame;
   plan_.frames = conditions.frames;
   plan_.speed_limit = kEscapeSpeed * conditions.scales.speed;
+  model_ = make_model(model, {.dims = recording.dims(),
+                              .scales = conditions.scales,
+                              .reference = reference,
+                              .step = plan_.frame_dt / plan_.substeps,
+                              .kinds = recording.kinds()});
   if (runtime.checkpoint) under_ = fingerprint(conditions);
 }
 
@@ -62,7 +66,7 @@ Run Ensemble::run(const Job& job) const {
   Observer camera(as_recorded ? &conditions_.recording : nullptr, conditions_.sigma, job.seed, collector,
                   static_cast<std::uint32_t>(conditions_.recording.track_count()), conditions_.grid);
   Plan plan = plan_;
-  plan.substeps *= job.finer;
+  if (!choice_.spec->fixed_step) plan.substeps *= job.finer;
   Lane lane{job.parameters, job.seed, State{}, conditions_.world, &camera, {}, false};
   cpu_backend().run(*model_, plan, {&lane, 1});
   TrackMeta meta = conditions_.recording.meta();

@@ -20,7 +20,7 @@ FilmSpan film_span(const Tracks& recording, std::size_t films) {
 FilmStrip strip_of(const Tracks& tracks, const FilmSpan& span) {
   const Tracks film = cut(tracks, span.first, span.last);
   const TrackColumns& c = film.columns();
-  return {c.track, c.frame, {c.pos.data(), c.pos.data() + c.pos.size()}, {c.vel.data(), c.vel.data() + c.vel.size()}};
+  return {c.track, c.frame, {c.pos.data(), c.pos.data() + c.pos.size()}, {c.vel.data(), c.vel.data() + c.vel.size()}, c.kind};
 }
 
 Tracks film_of(FilmStrip strip, const Tracks& recording) {
@@ -28,13 +28,15 @@ Tracks film_of(FilmStrip strip, const Tracks& recording) {
     return Rows(Eigen::Map<const Rows>(values.data(), static_cast<Index>(values.size()) / 3, 3));
   };
   TrackColumns c;
-  c.names.resize(recording.track_count());  // nobody reads them
+  c.names = recording.names();
   c.track = std::move(strip.track);
   c.frame = std::move(strip.frame);
   c.pos = rows(strip.pos);
   c.vel = rows(strip.vel);
+  c.kind = std::move(strip.kind);
   TrackMeta meta = recording.meta();
   meta.from = {};
+  meta.from.synthetic = true;
   return Tracks(std::move(c), std::move(meta));
 }
 

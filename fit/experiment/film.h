@@ -27,8 +27,9 @@ struct FilmStrip {
   std::vector<std::uint32_t> track;
   std::vector<std::int64_t> frame;
   std::vector<double> pos, vel;
+  std::vector<std::uint8_t> kind;
 };
-inline auto fields(FilmStrip& f) { return std::tie(f.track, f.frame, f.pos, f.vel); }
+inline auto fields(FilmStrip& f) { return std::tie(f.track, f.frame, f.pos, f.vel, f.kind); }
 
 FilmStrip strip_of(const Tracks& tracks, const FilmSpan& span);
 // As tracks of a simulation of this recording.
