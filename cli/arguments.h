@@ -39,6 +39,7 @@ struct Arguments {
 
   std::vector<std::string> recordings;  // paths, "-" or "demo"; of evaluate the real one
   ReadOptions read;                     // how to read them
+  std::string kind;                     // of individuals, by name or number; empty: all
   std::string simulated, simulated_columns;
   double smoothing = 0;  // of convert
 
@@ -47,10 +48,12 @@ struct Arguments {
   RecoveryOptions recovery;      // without its CompareOptions
   bool parameters = false;       // recover the parameters of one model, instead of which model
   int seeds = 0;                 // of power
+  Part part;                     // of a study: recover or power
   SceneArguments scene;
 
   std::string out, html, picture;    // to write
   std::string table, dir, name;      // to read: a table of energies, a run; a model to tell of
+  std::vector<std::string> dirs;     // to read: parts of a study
   std::vector<std::string> formats;  // of report
   bool page = false, flags = false;  // of models: as Markdown; flags of its scene
   double max_time = 0;               // [s]; 0: none

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/cluster.h"
 #include "cli/config_file.h"
 #include "cli/interrupt.h"
 #include "libtrack/error.h"
@@ -27,16 +28,24 @@ bool is_unfinished(const std::string& dir) {
 }  // namespace
 
 Checkpoint checkpoint_in(const std::string& dir, const RunIdentity& run, bool resume) {
-  if (!resume || !std::filesystem::exists(path_in(dir))) return {path_in(dir), run, [dir, text = run.config] { begin_run(dir, text); }};
+  const std::string path = path_in(dir);
+  const bool go_on = resume && std::filesystem::exists(path);
   // The checkpoint knows its config.toml byte for byte; an earlier version may have written the same settings in other words.
   RunIdentity as_begun = run;
   const std::string config = dir + "/config.toml";
-  if (std::filesystem::exists(config))
+  if (go_on && std::filesystem::exists(config))
     if (std::string begun = read_file(config); same_config(begun, run.config)) as_begun.config = std::move(begun);
-  return {path_in(dir), as_begun};
+  // All must take the same path from the same bytes.
+  if (cluster().size() > 1) {
+    const std::string bytes = cluster().broadcast(go_on && cluster().first() ? read_file(path) : "");
+    if (!cluster().first()) return Checkpoint::copy_of(bytes, path, as_begun);
+  }
+  if (go_on) return {path, as_begun};
+  return {path, run, [dir, text = run.config] { begin_run(dir, text); }};
 }
 
 void remove_checkpoint(const std::string& dir) {
+  if (!cluster().first()) return;
   std::error_code not_there;
   std::filesystem::remove(path_in(dir), not_there);
 }

@@ -18,6 +18,7 @@ int simulate(const Arguments&);
 int fit(const Arguments&);      // exactly one model
 int compare(const Arguments&);  // two or more
 int resume(const Arguments&);
+int merge(const Arguments&);  // of the parts of a study, which are resumed as one
 // "fit", "compare", "recover" or "power": which command left this unfinished run? Throws InputError if there is nothing to go on with.
 std::string command_of_run(const std::string& dir);
 int report(const Arguments&);  // the files of a run in a paper's formats

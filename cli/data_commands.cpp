@@ -40,7 +40,7 @@ int list(const char* what, const std::vector<ListEntry>& entries, const Common& 
 }  // namespace
 
 int describe(const Arguments& a) {
-  const Tracks tracks = load(a.read, a.recordings.front());
+  const Tracks tracks = load(a.read, a.recordings.front(), a.kind);
   const Summary summary = summarise(tracks);
   print(a.common.json ? to_json(tracks.meta(), summary) : describe_text(tracks.meta(), summary, style()));
   if (!a.html.empty()) write_file_atomically(a.html, tracks_html(portrait(tracks), tracks.meta(), summary, {a.line, kVersion, {}}));
@@ -48,7 +48,7 @@ int describe(const Arguments& a) {
 }
 
 int convert(const Arguments& a) {
-  Tracks tracks = load(a.read, a.recordings.front());
+  Tracks tracks = load(a.read, a.recordings.front(), a.kind);
   if (a.smoothing > 0) tracks = smooth(tracks, a.smoothing);
   write_tracks(a.out, tracks);
   return 0;

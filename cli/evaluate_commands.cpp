@@ -36,10 +36,10 @@ std::vector<int> chosen_lags(const Tracks& real, const Arguments& a) {
 int evaluate(const Arguments& a) {
   ReadOptions simulated = a.read;
   if (!a.simulated_columns.empty()) simulated.columns = a.simulated_columns;
-  const Tracks real = load(a.read, a.recordings.front());
+  const Tracks real = load(a.read, a.recordings.front(), a.kind);
   MetricOptions options{a.compare.conditions.velocity, a.compare.lags};
   if (options.lags.empty()) options.lags = chosen_lags(real, a);
-  const Tracks other = load(simulated, a.simulated);
+  const Tracks other = load(simulated, a.simulated, a.kind);
   const Evaluation result = swarmfit::evaluate(real, other, a.compare.binning, options);
   std::fputs((a.common.json ? to_json(result) : evaluation_text(result, style())).c_str(), stdout);
   if (a.html.empty()) return 0;

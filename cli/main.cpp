@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/program.h"
@@ -85,7 +86,7 @@ int complain(const std::string& what, int code) {
     line += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
   }
   std::fprintf(stderr, "swarmfit: %s\n", line.c_str());
-  return code;
+  return cluster().leave(code, what);
 }
 
 }  // namespace
@@ -95,8 +96,9 @@ int main(int argc, char** argv) {
   using swarmfit::cli::complain;
   swarmfit::cli::take_standard_streams();
   swarmfit::keep_freed_memory();
+  swarmfit::cli::cluster();
   try {
-    return swarmfit::cli::run_line(argc, argv);
+    return swarmfit::cli::cluster().leave(swarmfit::cli::run_line(argc, argv), "");
   } catch (const swarmfit::InputError& e) {
     return complain(e.what(), 2);
   } catch (const std::bad_alloc&) {

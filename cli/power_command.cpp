@@ -5,8 +5,10 @@
 #include <cstdio>
 
 #include "cli/checkpoints.h"
+#include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/parts.h"
 #include "cli/progress.h"
 #include "cli/recordings.h"
 #include "cli/style.h"
@@ -22,27 +24,25 @@ int power(const Arguments& a) {
   if (options.compare.models.size() < 2)
     throw InputError("power: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
   const std::string dir = a.out.empty() ? "swarmfit-power" : a.out;
-  check_run_directory(dir);
+  if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   const Settings& settings = a.config;
-  const Tracks recording = load(a.read, a.recordings.front());
+  const Tracks recording = load(a.read, a.recordings.front(), a.kind);
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, config_toml("power", settings)}, a.resume);
   Power result;
   try {
     StudyProgress progress(a.common.quiet, 1 + options.compare.models.size() * static_cast<std::size_t>(a.seeds));
     const auto on_power = [&](std::size_t done, std::size_t) {
       if (done > 0) progress.done(done == 1 ? "models fitted to the recording" : "a planted recording compared");
-      return !interrupted();
     };
-    const auto on_progress = [&](const CompareProgress& now) {
-      progress.show(now);
-      return !interrupted();
-    };
-    result = swarmfit::power(recording, options, on_power, {on_progress, &checkpoint});
+    const auto on_progress = [&](const CompareProgress& now) { progress.show(now); };
+    result = swarmfit::power(recording, options, on_power, {on_progress, {&executor(), &checkpoint}, a.part});
   } catch (const Interrupted&) {
     return stopped_before_the_end(dir);
   }
   result.fitted.version = kVersion;
+  if (!cluster().first()) return 0;
+  if (a.part.of > 1) return part_done(dir, a.part, a.common.quiet);
   write_power(dir, result, settings);
   remove_checkpoint(dir);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : power_text(result, style()).c_str(), stdout);

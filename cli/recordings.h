@@ -8,6 +8,7 @@
 
 namespace swarmfit::cli {
 
-Tracks load(const ReadOptions& options, const std::string& path);  // a file, "-" or "demo"
+// Of a file, "-" or "demo"; of all kinds of individuals if none is named.
+Tracks load(const ReadOptions& options, const std::string& path, const std::string& kind);
 
 }  // namespace swarmfit::cli

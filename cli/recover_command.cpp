@@ -5,8 +5,10 @@
 #include <cstdio>
 
 #include "cli/checkpoints.h"
+#include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/parts.h"
 #include "cli/progress.h"
 #include "cli/style.h"
 #include "cli/version.h"
@@ -32,13 +34,10 @@ int recover_models_of(const Arguments& a, const RecoveryOptions& options, const 
   StudyProgress progress(a.common.quiet, total);
   const auto on_case = [&](const RecoveryCase& c) {
     progress.done(fmt::format("{}, seed {}: {} first", options.planted[c.planted].name, c.seed, c.order.front()));
-    return !interrupted();
   };
-  const auto on_progress = [&](const CompareProgress& now) {
-    progress.show(now);
-    return !interrupted();
-  };
-  const Recovery result = recover_models(options, on_case, {on_progress, &checkpoint});
+  const auto on_progress = [&](const CompareProgress& now) { progress.show(now); };
+  const Recovery result = recover_models(options, on_case, {on_progress, {&executor(), &checkpoint}, a.part});
+  if (!cluster().first() || a.part.of > 1) return 0;
   write_recovery(dir, result, a.config, kVersion);
   std::fputs(a.common.json ? to_json(result, a.config).c_str() : recovery_text(result, style()).c_str(), stdout);
   return 0;
@@ -47,9 +46,9 @@ int recover_models_of(const Arguments& a, const RecoveryOptions& options, const 
 int recover_parameters_of(const Arguments& a, const RecoveryOptions& options, const std::string& dir, Checkpoint& checkpoint) {
   const auto on_case = [&](std::size_t done) {
     if (!a.common.quiet) std::fprintf(stderr, "%zu/%d\n", done, options.seeds);
-    return !interrupted();
   };
-  const ParameterRecovery result = recover_parameters(options, on_case, &checkpoint);
+  const ParameterRecovery result = recover_parameters(options, on_case, {&executor(), &checkpoint}, a.part);
+  if (!cluster().first() || a.part.of > 1) return 0;
   write_parameter_recovery(dir, result, a.config, kVersion);
   std::fputs(a.common.json ? to_json(result, a.config).c_str() : parameter_recovery_text(result, style()).c_str(), stdout);
   return 0;
@@ -60,11 +59,12 @@ int recover_parameters_of(const Arguments& a, const RecoveryOptions& options, co
 int recover(const Arguments& a) {
   const RecoveryOptions options = recovery_options(a);
   const std::string dir = a.out.empty() ? "swarmfit-recovery" : a.out;
-  check_run_directory(dir);
+  if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, "", config_toml("recover", a.config)}, a.resume);
   try {
     const int code = a.parameters ? recover_parameters_of(a, options, dir, checkpoint) : recover_models_of(a, options, dir, checkpoint);
+    if (a.part.of > 1) return cluster().first() ? part_done(dir, a.part, a.common.quiet) : 0;
     remove_checkpoint(dir);
     return code;
   } catch (const Interrupted&) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Settings: how a command runs, and what it writes where.
+#include "cli/parts.h"
 #include "cli/tables.h"
 
 namespace swarmfit::cli {
@@ -17,7 +18,7 @@ void html(Arguments& a, const Value& v) { a.html = v.text(); }
 std::vector<Setting> run_settings() {
   return {
       {.name = "seed",
-       .in = kAll & ~(kResume | kReport),
+       .in = kAll & ~(kResume | kReport | kMerge),
        .help = "seed of every random number; same seed, same bits",
        .allowed = whole(0, kMostSeeds),
        .initial = "1",
@@ -34,6 +35,11 @@ std::vector<Setting> run_settings() {
        .allowed = time_up_to(kLongest),
        .travels = false,
        .use = [](Arguments& a, const Value& v) { a.max_time = v.number(); }},
+      {.name = "part",
+       .in = kStudies | kResume,
+       .help = "k/n: only every n-th recording of the study, from the k-th on; merge puts all n parts together",
+       .travels = false,
+       .use = [](Arguments& a, const Value& v) { a.part = parse_part(v.text()); }},
       {.name = "json",
        .in = kAll & ~kReport,
        .help = "print JSON instead of text",
@@ -74,6 +80,7 @@ std::vector<Setting> output_settings() {
        .letter = 'o',
        .travels = false,
        .use = out},
+      {.name = "out", .in = kMerge, .help = "run directory of the whole", .letter = 'o', .required = true, .use = out},
       {.name = "out",
        .in = kReport,
        .help = "folder to write to, where files of the same names are replaced; RUN_DIR-paper if not given",
