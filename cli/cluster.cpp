@@ -21,19 +21,20 @@ struct Share {
   End end = End::good;
   std::string why;
   std::vector<std::string> results;
+  bool over = false;
 };
-auto fields(Share& s) { return std::tie(s.end, s.why, s.results); }
+auto fields(Share& s) { return std::tie(s.end, s.why, s.results, s.over); }
 
 Share done(const Threads& here, std::size_t first, std::size_t step, std::size_t pieces, const Executor::Work& work) {
   const std::size_t count = pieces > first ? (pieces - first + step - 1) / step : 0;
   try {
-    return {End::good, {}, here.run(count, [&](std::size_t k) { return work(first + k * step); })};
+    return {End::good, {}, here.run(count, [&](std::size_t k) { return work(first + k * step); }), false};
   } catch (const Interrupted&) {
-    return {End::interrupted, {}, {}};
+    return {End::interrupted, {}, {}, false};
   } catch (const InputError& e) {
-    return {End::input_error, e.what(), {}};
+    return {End::input_error, e.what(), {}, false};
   } catch (const std::exception& e) {
-    return {End::error, e.what(), {}};
+    return {End::error, e.what(), {}, false};
   }
 }
 
@@ -157,13 +158,21 @@ int Cluster::leave(int code, const std::string& why) {
 }
 
 std::vector<std::string> Processes::run(std::size_t pieces, const Work& work) const {
-  if (cluster_.size() == 1) return here_.run(pieces, work);
+  if (was_over_) throw Interrupted{};
+  if (cluster_.size() == 1) {
+    auto results = here_.run(pieces, work);
+    was_over_ = over_();
+    return results;
+  }
   const auto processes = static_cast<std::size_t>(cluster_.size());
+  Share own = done(here_, static_cast<std::size_t>(cluster_.rank()), processes, pieces, work);
+  own.over = over_();
   std::vector<Share> shares;
-  for (const std::string& bytes :
-       cluster_.exchange(to_bytes(done(here_, static_cast<std::size_t>(cluster_.rank()), processes, pieces, work))))
-    shares.push_back(from_bytes<Share>(bytes));
-  for (const Share& share : shares) throw_again(share);
+  for (const std::string& bytes : cluster_.exchange(to_bytes(own))) shares.push_back(from_bytes<Share>(bytes));
+  for (const Share& share : shares) {
+    throw_again(share);
+    was_over_ = was_over_ || share.over;
+  }
   std::vector<std::string> results;
   for (std::size_t k = 0; k < pieces; ++k) results.push_back(std::move(shares[k % processes].results[k / processes]));
   return results;

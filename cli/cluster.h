@@ -44,13 +44,17 @@ Cluster& cluster();
 // Shares work out among the threads of all processes: piece k is done by process k modulo their number.
 class Processes : public Executor {
  public:
-  // `stopped` is asked before every piece, from any thread; it is enough that one process says so.
-  Processes(Cluster& cluster, std::function<bool()> stopped) : cluster_(cluster), here_(std::move(stopped)) {}
+  // `stopped` is asked before every piece, from any thread, and ends the work; `over` after every batch, and refuses the next one. It is
+  // enough that one process says so.
+  Processes(Cluster& cluster, std::function<bool()> stopped, std::function<bool()> over)
+      : cluster_(cluster), here_(std::move(stopped)), over_(std::move(over)) {}
   std::vector<std::string> run(std::size_t pieces, const Work& work) const override;
 
  private:
   Cluster& cluster_;
   Threads here_;
+  std::function<bool()> over_;
+  mutable bool was_over_ = false;  // in one of the processes, after the last batch
 };
 
 }  // namespace swarmfit::cli

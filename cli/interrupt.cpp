@@ -19,6 +19,9 @@ void on_signal(int number) {
   std::signal(number, SIG_DFL);
 }
 
+bool interrupted() { return signalled != 0; }
+bool time_is_up() { return deadline && std::chrono::steady_clock::now() >= *deadline; }
+
 }  // namespace
 
 void install_interrupt_handler() {
@@ -31,10 +34,8 @@ void stop_after(double seconds) {
   deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-bool interrupted() { return signalled != 0 || (deadline && std::chrono::steady_clock::now() >= *deadline); }
-
 const Executor& executor() {
-  static const Processes all(cluster(), interrupted);
+  static const Processes all(cluster(), interrupted, time_is_up);
   return all;
 }
 

@@ -9,11 +9,10 @@ inline constexpr int kInterrupted = 130;  // exit code
 
 // From now on Ctrl-C and SIGTERM only raise a flag, which long work looks at; a second one ends the program at once.
 void install_interrupt_handler();
-// The same as a signal, when this time is up.
+// The same when this time is up, but not before what has been begun is kept: however short the time, a run that is resumed gets on.
 void stop_after(double seconds);
-bool interrupted();
 
-// Whoever makes the simulations: all processes; work ends with Interrupted when interrupted() says so in one of them.
+// Whoever makes the simulations: all processes. Work ends with Interrupted when a signal or the time says so in one of them.
 const Executor& executor();
 
 }  // namespace swarmfit::cli

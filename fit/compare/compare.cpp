@@ -170,7 +170,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   for (std::size_t j = 0; j < clear.size(); ++j) clear[j] = clear[j] && !result.observation.drowned[j];
   const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);
   result.film = cut(conditions.recording, span.first, span.last);
-  const Judge judge(conditions, clear, options.seed, *runtime.executor);
+  const Judge judge(conditions, clear, options.seed, runtime);
   const auto view = [&](const Run& run, std::size_t k) {
     return to_bytes(View{judge.look(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{}});
   };

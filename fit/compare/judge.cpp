@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "fit/compare/judge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "fit/compare/refute.h"
 #include "fit/experiment/outcome.h"
+#include "fit/store/kept.h"
 #include "libeval/distance.h"
 #include "libeval/leave_one_out.h"
 #include "libeval/surrogate.h"
@@ -74,14 +77,14 @@ struct Judge::Nulls {
   std::vector<PerColumn<Histogram>> of_shifted, of_walked;
 };
 
-Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed, const Executor& executor)
+Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed, const Runtime& runtime)
     : conditions_(conditions),
       distance_(conditions.recording, conditions.metrics),
       plan_(panel_plan(conditions.recording)),
       panel_(panel_with_error(conditions.recording, plan_)) {
   facts_.floor = distance_.floor();
   facts_.floor_sd = distance_.floor_sd();
-  const Nulls nulls = measured_nulls({seed}, executor);
+  const Nulls nulls = measured_nulls({seed}, runtime);
   const auto& columns = distance_.columns();
   facts_.null = facts_.places = PerColumn<double>(columns.size());
   facts_.informative = PerColumn<bool>(columns.size());
@@ -115,13 +118,13 @@ Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uin
     facts_.walker = {scale_.skill(walker.value), scale_.slope() * walker.se};
 }
 
-Judge::Nulls Judge::measured_nulls(const Rng& rng, const Executor& executor) {
+Judge::Nulls Judge::measured_nulls(const Rng& rng, const Runtime& runtime) {
   const Tracks& recording = conditions_.recording;
   const auto& columns = distance_.columns();
   PerColumn<bool> motion(columns.size()), rest(columns.size());
   for (std::size_t j = 0; j < columns.size(); ++j) motion[j] = columns[j].motion(), rest[j] = !motion[j];
   const auto kind_of = [](std::size_t k) { return k / kSurrogates; };
-  auto surrogates = executor.each<Surrogate>(2 * kSurrogates + kPlaced, [&](std::size_t k) {
+  const auto surrogate = [&](std::size_t k) {
     const Rng own = rng.derive(Stream::surrogate, k);
     const std::size_t kind = kind_of(k);
     const auto blocks = distance_.blocks(kind == 0   ? timeshift(recording, own)
@@ -129,7 +132,10 @@ Judge::Nulls Judge::measured_nulls(const Rng& rng, const Executor& executor) {
                                                      : shuffled_places(recording, own));
     if (kind == 2) return Surrogate{distance_.to(blocks), {}};
     return Surrogate{distance_.to(blocks, kind == 0 ? rest : motion), HalfDistance::pooled(blocks)};
-  });
+  };
+  const std::string name = fmt::format("surrogates {} {}", rng.seed, fingerprint(conditions_));
+  auto surrogates = *kept<std::vector<Surrogate>>(
+      runtime.checkpoint, name, [&] { return std::optional(runtime.executor->each<Surrogate>(2 * kSurrogates + kPlaced, surrogate)); });
   Nulls out;
   for (std::size_t k = 0; k < surrogates.size(); ++k) {
     const std::size_t kind = kind_of(k);

@@ -26,7 +26,7 @@ inline auto fields(Judged& j) { return std::tie(j.distance, j.wasserstein, j.pan
 class Judge {
  public:
   // used: columns on which the skill rests. seed: of the surrogates, the same for all models.
-  Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed, const Executor& executor = threads());
+  Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed, const Runtime& runtime = {});
 
   // One run as the judge sees it: disjoint, and without a panel, if it blew up. From any thread.
   Judged look(const Run& run) const;
@@ -39,7 +39,7 @@ class Judge {
 
  private:
   struct Nulls;
-  Nulls measured_nulls(const Rng& rng, const Executor& executor);
+  Nulls measured_nulls(const Rng& rng, const Runtime& runtime);
   bool fits(const PerColumn<bool>& used, SkillNull null);
   void choose_scale(const PerColumn<bool>& wanted);
 

@@ -13,7 +13,16 @@ namespace {
 constexpr double kEscapeSpeed = 1e3;       // in units of the recorded mean speed: nothing recorded moves like that
 constexpr std::size_t kKeptTogether = 64;  // runs between two records of a checkpoint, at most: what a kill costs
 
-// Two parts of a recording, or two recordings of a study, may be compared in one run.
+std::string key_of(const std::string& identity, const std::string& name, const Job& job) {
+  std::string bytes = identity;
+  put(bytes, name);
+  put(bytes, job.parameters);
+  put(bytes, job.seed);
+  return sha256_hex(bytes);
+}
+
+}  // namespace
+
 std::string fingerprint(const Conditions& c) {
   std::string bytes;
   const TrackColumns& columns = c.recording.columns();
@@ -26,16 +35,6 @@ std::string fingerprint(const Conditions& c) {
   }
   return sha256_hex(bytes);
 }
-
-std::string key_of(const std::string& identity, const std::string& name, const Job& job) {
-  std::string bytes = identity;
-  put(bytes, name);
-  put(bytes, job.parameters);
-  put(bytes, job.seed);
-  return sha256_hex(bytes);
-}
-
-}  // namespace
 
 Ensemble::Ensemble(const ModelChoice& model, const Conditions& conditions, const Runtime& runtime)
     : conditions_(conditions), runtime_(runtime), choice_(model) {

@@ -28,6 +28,10 @@ struct Runtime {
   Tally* tally = nullptr;
 };
 
+// Of what simulations are made under: two parts of a recording, or two recordings of a study, may be compared in one run. A key of a
+// checkpoint.
+std::string fingerprint(const Conditions& conditions);
+
 // One simulation to be made.
 struct Job {
   std::vector<double> parameters;  // of every row of the model's table, in physical units

@@ -274,7 +274,7 @@ TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
   ASSERT_EQ(run("recover --config r/config.toml -q --out again").code, 0);
   EXPECT_EQ(content(dir_ / "r/tables/cases.csv"), content(dir_ / "again/tables/cases.csv"));
   ASSERT_EQ(run(job + R"(--unit 'm"m\x' --out odd)").code, 0);
-  EXPECT_THAT(content(dir_ / "odd/config.toml"), HasSubstr("unit = 'm\"m\\x'\n"));
+  EXPECT_THAT(content(dir_ / "odd/config.toml"), HasSubstr("unit = \"m\\\"m\\\\x\"\n"));
   ASSERT_EQ(run("recover --config odd/config.toml -q --out odder").code, 0);
   EXPECT_EQ(content(dir_ / "odd/config.toml"), content(dir_ / "odder/config.toml"));
   ASSERT_EQ(run(job + "--resolution none --out bare").code, 0);

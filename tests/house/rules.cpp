@@ -54,6 +54,8 @@ const std::vector<Library> kLibraries{
     {"Eigen/Sparse", {"fit"}, false},
     {"Eigen/", {}, true},
     {"fmt/", {}, true},
+    {"mpi.h", {"cli"}, true},
+    {"sched.h", {"cli"}, true},
     {"omp.h", {"libswarm", "fit", "cli"}, true},
     {"boost/", {"libtrack", "libeval", "fit"}, false},
     {"nanoflann", {"libswarm", "libeval"}, false},
