@@ -28,8 +28,11 @@ void add_reading(CLI::App& app, DataArguments& data) {
   app.add_option("--delimiter", data.delimiter, "column delimiter, if it is not found by itself");
   app.add_option("--fps", data.fps, "frames per second, where the file does not tell")->check(CLI::PositiveNumber);
   app.add_option("--unit", data.unit, "length unit, where the file does not tell: mm, m, px, ...");
-  app.add_option("--var", data.variable, "variable inside a container file (.mat)");
+  app.add_option("--var", data.variable, "variable or part inside a container file, where there are several");
   app.add_option("--format", data.format, "file format, if it is not found by itself: see swarmfit formats");
+  app.add_option("--node", data.node, "point of a posture that stands for the individual: its name, or mean");
+  app.add_option("--min-confidence", data.min_confidence, "leave out points that the tracker is less sure of, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0));
   app.add_option("--frames", data.frames, "use frames a:b only, inclusive, in the file's numbering");
   app.add_option("--times", data.times, "use times a:b only, inclusive [s]");
   app.add_option("--fill-gaps", data.fill_gaps, "fill gaps of at most this many frames by linear interpolation")

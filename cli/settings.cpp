@@ -56,6 +56,8 @@ ReadOptions read_options(const DataArguments& a) {
   o.unit = a.unit;
   o.variable = a.variable;
   o.format = a.format;
+  o.node = a.node;
+  if (!(a.min_confidence < 0)) o.min_confidence = a.min_confidence;
   if (!a.frames.empty()) o.frames = parse_interval("--frames", a.frames);
   if (!a.times.empty()) o.times = parse_interval("--times", a.times);
   o.fill_gaps = a.fill_gaps;
@@ -240,6 +242,8 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("unit", a.data.unit);
   text("var", a.data.variable);
   text("format", a.data.format);
+  text("node", a.data.node);
+  if (a.data.min_confidence >= 0) out.emplace_back("min-confidence", fmt::format("{}", a.data.min_confidence));
   text("frames", a.data.frames);
   text("times", a.data.times);
   positive("fill-gaps", a.data.fill_gaps);

@@ -8,12 +8,13 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 
 #include "libtrack/error.h"
 #include "libtrack/isolated.h"
+#include "libtrack/read/hdf5_file.h"
 #include "libtrack/read/mat_check.h"
+#include "libtrack/read/packed.h"
 
 namespace swarmfit {
 namespace {
@@ -146,47 +147,6 @@ MatArray read_variable(mat_t* mat, const MatVariable& variable, const std::strin
   return out;
 }
 
-// The way of a MatFile out of the child process: sizes and contents, one after the other.
-class Packer {
- public:
-  void add(std::size_t n) { bytes.append(reinterpret_cast<const char*>(&n), sizeof n); }
-  void add(const std::string& text) {
-    add(text.size());
-    bytes += text;
-  }
-  template <class T>
-  void add(const std::vector<T>& values) {
-    add(values.size());
-    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-  }
-  std::string bytes;
-};
-
-// Trusts its input, which our own child process has packed.
-class Unpacker {
- public:
-  explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
-  std::size_t size() { return values<std::size_t>(1)[0]; }
-  std::string text() {
-    const auto letters = values<char>(size());
-    return {letters.begin(), letters.end()};
-  }
-  template <class T>
-  std::vector<T> list() {
-    return values<T>(size());
-  }
-
- private:
-  template <class T>
-  std::vector<T> values(std::size_t n) {
-    std::vector<T> out(n);
-    std::memcpy(out.data(), bytes_.data(), n * sizeof(T));
-    bytes_.remove_prefix(n * sizeof(T));
-    return out;
-  }
-  std::string_view bytes_;
-};
-
 std::string pack(const MatFile& file) {
   Packer out;
   out.add(file.variables.size());
@@ -236,6 +196,7 @@ MatFile read_mat_file(const std::string& name, std::string_view bytes,
   if (bytes.starts_with("MATLAB 5.0")) check_mat5(name, bytes);
   const auto damaged = name + ": the MATLAB file cannot be read; expected an undamaged file of version 5 or 7.3";
   const auto work = [&] {
+    if (!bytes.starts_with("MATLAB 5.0")) check_hdf5_stands_alone(name, bytes);
     const OpenMat mat(bytes);
     if (!mat.get()) throw InputError(damaged);
     MatFile file;

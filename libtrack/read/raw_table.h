@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -44,12 +45,19 @@ struct RawTable {
   std::string columns, format;
   std::vector<std::string> notes;
   bool synthetic = false;
+  bool has_nodes = false, has_confidence = false;  // the file names points, says how sure they are: --node, --min-confidence apply
 
   std::vector<double>& operator[](FileColumn c) { return number[static_cast<std::size_t>(c)]; }
   const std::vector<double>& operator[](FileColumn c) const { return number[static_cast<std::size_t>(c)]; }
   bool has(FileColumn c) const { return !(*this)[c].empty(); }
   std::string place(std::size_t row) const;  // "file:line", or "file: row 17"
 };
+
+// Appends a row's individual for each id. NaN: nobody.
+void add_ids(RawTable& table, std::span<const double> ids);
+
+// Throws InputError at the row of a number that no later step can use: an infinite value, a missing time, a frame number that is not whole.
+void check_numbers(const RawTable& table);
 
 // Turns raw rows into Tracks: frame numbers and frame interval, unit, selection, duplicates, gaps. Throws InputError.
 Tracks assemble(RawTable table, const ReadOptions& options, std::string sha256);

@@ -56,29 +56,6 @@ ColumnMap find_map(const MatVariable& variable, const MatArray& table, const Sou
                   source.name, count, variable.name, row));
 }
 
-void add_ids(RawTable& table, const double* value, std::size_t rows) {
-  for (std::size_t i = 0; i < rows; ++i) {
-    const double id = value[i];
-    if (std::isnan(id))
-      table.track.push_back(RawTable::no_track);
-    else if (id >= 0 && id < 1e9 && id == std::floor(id))
-      table.track.push_back(table.names.number(static_cast<std::uint32_t>(id)));
-    else
-      table.track.push_back(table.names.number(fmt::format("{}", id)));
-  }
-}
-
-// A number that no later step can use is refused where its row is known.
-void check_column(const RawTable& table, FileColumn column, const std::vector<double>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isinf(values[i])) throw InputError(table.place(i) + ": the value is infinite; expected a finite number");
-    if (column == FileColumn::t && std::isnan(values[i]))
-      throw InputError(table.place(i) + ": the time is missing; expected a time in every row");
-    if (column == FileColumn::frame && !(values[i] == std::floor(values[i]) && std::abs(values[i]) < 9e15))
-      throw InputError(fmt::format("{}: the frame number {} is not an integer; expected whole frames", table.place(i), values[i]));
-  }
-}
-
 RawTable read_table(const MatFile& mat, const Source& source, const ReadOptions& options) {
   const auto& variable = choose_table(mat.variables, source.name, options);
   const auto& array = mat.array.at(variable.name);
@@ -96,11 +73,11 @@ RawTable read_table(const MatFile& mat, const Source& source, const ReadOptions&
   }
   for (std::size_t c = 0; c < map.of.size(); ++c) {
     const double* values = array.value.data() + c * rows;
-    if (map.of[c] == FileColumn::id) add_ids(table, values, rows);
+    if (map.of[c] == FileColumn::id) add_ids(table, {values, rows});
     if (static_cast<std::size_t>(map.of[c]) >= kNumberColumns) continue;
     table[map.of[c]].assign(values, values + rows);
-    check_column(table, map.of[c], table[map.of[c]]);
   }
+  check_numbers(table);
   return table;
 }
 
@@ -110,7 +87,6 @@ RawTable read(const Source& source, const ReadOptions& options) {
     return drives(variables) ? drive_variables(variables) : std::vector{choose_table(variables, source.name, options).name};
   });
   RawTable table = drives(mat.variables) ? read_drives(mat, source.name) : read_table(mat, source, options);
-  table.format = kMatlab.format.name;
   return table;
 }
 

@@ -18,6 +18,12 @@ struct Fault {
   std::string message;
 };
 
+std::string format_list() {
+  std::string names;
+  for (const auto& format : formats()) names += (names.empty() ? "" : ", ") + std::string(format.name);
+  return names;
+}
+
 ReadOptions with(void (*change)(ReadOptions&)) {
   auto options = flags();
   change(options);
@@ -84,7 +90,7 @@ std::vector<Fault> faults() {
       {"UTF-16", "\xFF\xFEi\0d\0,\0", flags(), "f.csv: the text is UTF-16; expected UTF-8 (save it as CSV UTF-8)"},
       {"--fps 0", good, with([](auto& o) { o.fps = 0; }), "--fps: 0 is no frame rate; expected a number above 0"},
       {"--fill-gaps -1", good, with([](auto& o) { o.fill_gaps = -1; }), "--fill-gaps: -1 is negative; expected a number of frames"},
-      {"--format", good, with([](auto& o) { o.format = "xyz"; }), "--format: 'xyz' is not known; expected one of mat, petrack, text"},
+      {"--format", good, with([](auto& o) { o.format = "xyz"; }), "--format: 'xyz' is not known; expected one of " + format_list()},
       {"--frames", good, with([](auto& o) {
          o.frames = Interval{5, 9};
        }),
@@ -133,10 +139,10 @@ TEST(ReadErrors, FilesThatAreNoRecordings) {
   refused("a.npy", "\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False"s, "is a NumPy array");
   refused("a.rtf", "{\\rtf1\\ansi", "is a formatted document (RTF)");
   refused("a.md", "# title\n", "is a Markdown document");
-  refused("a.h5", "\x89HDF\r\n\x1a\n", "is an HDF5 file of no known layout");
+  refused("a.h5", "\x89HDF\r\n\x1a\n", "the HDF5 file cannot be read; expected an undamaged file");
   refused("a.xlsx", "PK\x03\x04zip", "is a zip archive or a spreadsheet");
   refused("a.csv.gz", "\x1f\x8b\x08", "is compressed by gzip");
-  refused("a.bin", "\x01\x02\x00\x03"s, "the format is not known; expected one of mat, petrack, text");
+  refused("a.bin", "\x01\x02\x00\x03"s, "the format is not known; expected one of " + format_list());
 }
 
 TEST(ReadErrors, NoSuchFileAndFolder) {
