@@ -12,6 +12,7 @@
 #include "libtrack/error.h"
 #include "libtrack/file.h"
 #include "libtrack/read/formats.h"
+#include "libtrack/read/unpack.h"
 
 namespace swarmfit {
 namespace {
@@ -110,12 +111,15 @@ Tracks read_tracks_bytes(const std::string& name, std::string bytes, const ReadO
   if (options.min_confidence && !(*options.min_confidence >= 0 && *options.min_confidence <= 1))
     throw InputError(fmt::format("--min-confidence: {} is no confidence; expected a number from 0 to 1", *options.min_confidence));
   if (bytes.empty()) throw InputError(name + ": the file is empty; expected a recording");
+  auto sha256 = sha256_hex(bytes);
+  std::vector<std::string> notes;
+  bytes = unpacked(name, std::move(bytes), options.variable, notes);
   const Source source{name, bytes};
   const Reader& reader = choose(source, options);
   auto table = reader.read(source, options);
   table.format = reader.format.name;
   check_point_flags(table, reader, options);
-  auto sha256 = sha256_hex(bytes);
+  table.notes.insert(table.notes.begin(), notes.begin(), notes.end());
   bytes = std::string();  // recordings can be large: the text goes before the table is built
   return assemble(std::move(table), options, std::move(sha256));
 }

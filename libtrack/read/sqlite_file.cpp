@@ -75,9 +75,9 @@ SqliteFile::SqliteFile(const std::string& name, std::string_view bytes) : name_(
 
 void SqliteFile::fail() const {
   std::string why = sqlite3_errmsg(db_.get());  // which can quote the file
-  std::replace_if(why.begin(), why.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  throw InputError(
-      fmt::format("{}: the SQLite database cannot be read ({}); expected an undamaged file", name_, why.substr(0, 100)));
+  std::replace_if(
+      why.begin(), why.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  throw InputError(fmt::format("{}: the SQLite database cannot be read ({}); expected an undamaged file", name_, why.substr(0, 100)));
 }
 
 template <class Visit>

@@ -69,15 +69,99 @@ def fasttrack(path):
     return [(str(i), f, x, y) for f, i, x, y in db.execute("select imageNumber, id, xBody, yBody from tracking")], None, "px"
 
 
+def trackmate(path):
+    """By spots and edges; the individuals are the maximal chains without a branching."""
+    root = xml.parse(path).getroot()
+    spots = {s.get("ID"): (int(s.get("FRAME")), float(s.get("POSITION_X")), float(s.get("POSITION_Y"))) for s in root.iter("Spot")}
+    order = {s.get("ID"): k for k, s in enumerate(root.iter("Spot"))}
+    kept = {t.get("TRACK_ID") for t in root.iter("TrackID")}
+    rows = []
+    for track in root.iter("Track"):
+        if track.get("TRACK_ID") not in kept:
+            continue
+        after, before = {}, {}
+        for edge in track.iter("Edge"):
+            a, b = sorted((edge.get("SPOT_SOURCE_ID"), edge.get("SPOT_TARGET_ID")), key=lambda s: spots[s][0])
+            after.setdefault(a, []).append(b)
+            before.setdefault(b, []).append(a)
+        goes_on = lambda s: len(before.get(s, [])) == 1 and len(after[before[s][0]]) == 1
+        heads = sorted((s for s in {*after, *before} if not goes_on(s)), key=lambda s: (spots[s][0], order[s]))
+        for number, spot in enumerate(heads, 1):
+            name = track.get("TRACK_ID") if len(heads) == 1 else f"{track.get('TRACK_ID')}-{number}"
+            rows.append((name, *spots[spot]))
+            while len(after.get(spot, [])) == 1 and goes_on(after[spot][0]):
+                spot = after[spot][0]
+                rows.append((name, *spots[spot]))
+    return rows, 1 / float(root.find(".//ImageData").get("timeinterval")), "px"
+
+
+def trex(path, x, y):
+    with np.load(path) as file:
+        seen = np.isfinite(file[x]) & np.isfinite(file[y])
+        frames = np.rint(file["time"][seen] / 0.04).astype(int)  # 25 Hz, as its first differences say
+        return [("fish0", int(f), float(a), float(b)) for f, a, b in zip(frames, file[x][seen], file[y][seen])], 25, "cm"
+
+
+def slp(path, node):
+    with h5py.File(path) as file:
+        meta = json.loads(file["metadata"].attrs["json"])
+        nodes = [meta["nodes"][n["id"]]["name"] for n in meta["skeletons"][0]["nodes"]]
+        tracks = [json.loads(t)[1] for t in file["tracks_json"][:]]
+        shift = 0 if file["metadata"].attrs["format_id"] >= 1.1 else -0.5
+        frames = dict(zip(file["frames"]["frame_id"].tolist(), file["frames"]["frame_idx"].tolist()))
+        points = file["pred_points"][:]
+        rows = []
+        for i in file["instances"][:]:
+            p = points[i["point_id_start"]:i["point_id_end"]][nodes.index(node)]
+            if np.isfinite(p["x"]) and np.isfinite(p["y"]):
+                rows.append((tracks[i["track"]], frames[int(i["frame_id"])], float(p["x"]) + shift, float(p["y"]) + shift))
+        return rows, None, "px"
+
+
+def deeplabcut(path, node):
+    with h5py.File(path) as file:
+        # The names by Python's own reader of pickles' opcodes, which runs none of them.
+        kind = file["df_with_missing/table"].attrs["values_block_0_kind"]
+        texts, memo, order = [], {}, []
+        for opcode, value, _ in pickletools.genops(kind):
+            if opcode.name == "UNICODE":
+                order.append(value)
+            elif opcode.name == "PUT" and order and value not in memo:
+                memo[value] = order[-1]
+            elif opcode.name == "GET":
+                order.append(memo[value])
+        names = [n for n in order if n not in (order[0],)]
+        column = [k for k in range(0, len(names) - 1, 2) if names[k] == node and names[k + 1] == "x"][0] // 2
+        values = file["df_with_missing/table"]["values_block_0"]
+        index = file["df_with_missing/table"]["index"]
+        return [("1", int(f), float(v[column]), float(v[column + 1])) for f, v in zip(index, values) if np.isfinite(v[column])], None, "px"
+
+
+def nwb(path, node):
+    with h5py.File(path) as file:
+        series = file[f"processing/behavior/PoseEstimation/{node}"]
+        scale, offset = series["data"].attrs["conversion"], series["data"].attrs["offset"]
+        step = float(np.median(np.diff(series["timestamps"][:])))
+        frames = np.rint(series["timestamps"][:] / step).astype(int)
+        return [("1", int(f), float(x * scale + offset), float(y * scale + offset)) for f, (x, y) in zip(frames, series["data"][:])], 1 / step, "px"
+
+
 # file, reader, flags of the program
 CASES = [
     ("idtrackerai/trajectories.h5", idtracker, []),
-    ("sleap/SLEAP_single-mouse_EPM.analysis.h5", lambda p: sleap(p, "centroid"), ["--node", "centroid", "--fps", "30"]),
+    ("sleap/SLEAP_single-mouse_EPM.analysis.h5", lambda p: sleap(p, "centre"), ["--node", "centre", "--fps", "30"]),
     ("sleap/SLEAP_single-mouse_EPM.analysis.h5", lambda p: sleap(p, "mean"), ["--node", "mean", "--fps", "30"]),
     ("sleap/SLEAP_three-mice_Aeon_mixed-labels.analysis.h5", lambda p: sleap(p, "centroid"), ["--fps", "50"]),
     ("sleap/small_robot.000_small_robot_3_frame.analysis.h5", lambda p: sleap(p, "mean"), ["--node", "mean", "--fps", "10"]),
     ("juelich/00_01a.h5", pedestrian, []),
     ("jupedsim/trajectories.sqlite", jupedsim, []),
+    ("trackmate/FakeTracks.xml", trackmate, []),
+    ("trackmate/FakeTracks_splits.xml", trackmate, []),
+    ("trex/30_fish.MOV_fish0.npz", lambda p: trex(p, "X#wcentroid", "Y#wcentroid"), []),
+    ("trex/30_fish.MOV_fish0.npz", lambda p: trex(p, "X", "Y"), ["--node", "head"]),
+    ("sleap/centered_pair_predictions.slp", lambda p: slp(p, "thorax"), ["--node", "thorax", "--fps", "100"]),
+    ("deeplabcut/m3v1mp4DeepCut_resnet50_openfieldOct30shuffle1_15001.h5", lambda p: deeplabcut(p, "snout"), ["--node", "snout", "--fps", "30"]),
+    ("nwb/0.3.0_poseestimation_one_camera.nwb", lambda p: nwb(p, "front_left_paw"), ["--node", "front_left_paw"]),
     ("fasttrack/tracking.db", fasttrack, ["--fps", "25"]),
 ]
 
