@@ -16,7 +16,7 @@ namespace {
 // In a child process; crashes and endless loops become one line.
 std::string in_child(const std::string& name, std::string_view bytes, const std::function<std::string()>& work) {
   const int seconds = 60 + static_cast<int>(bytes.size() / 1'000'000);  // a generous allowance: only endless loops need more
-  return isolated(work, seconds, name + ": the HDF5 file cannot be read; expected an undamaged file");
+  return isolated(work, seconds, child_memory(bytes.size()), name + ": the HDF5 file cannot be read; expected an undamaged file");
 }
 
 void pack(Packer& out, const Hdf5Object& object) {

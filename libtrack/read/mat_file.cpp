@@ -45,10 +45,15 @@ bool is_number_class(matio_classes c) {
   }
 }
 
-MatVariable described(const matvar_t& v) {
+MatVariable described(matvar_t& v) {
   MatVariable out;
   out.name = v.name ? v.name : "";
   for (int i = 0; i < v.rank && v.dims; ++i) out.dims.push_back(v.dims[i]);
+  out.cells = v.class_type == MAT_C_CELL;
+  if (v.class_type == MAT_C_STRUCT) {
+    const auto* names = Mat_VarGetStructFieldnames(&v);
+    for (unsigned i = 0; names && i < Mat_VarGetNumberOfFields(&v); ++i) out.fields.emplace_back(names[i] ? names[i] : "");
+  }
   out.numeric = is_number_class(v.class_type) && !v.isComplex && v.rank >= 2 && v.rank <= 3;
   return out;
 }
@@ -147,6 +152,24 @@ MatArray read_variable(mat_t* mat, const MatVariable& variable, const std::strin
   return out;
 }
 
+// All fields of all elements that are real arrays of numbers. The library reads a structure as a whole; the child's memory is limited.
+void read_structure(mat_t* mat, const MatVariable& variable, const std::string& file, std::map<std::string, MatArray>& out) {
+  const Variable data(Mat_VarRead(mat, variable.name.c_str()));
+  if (!data || data->class_type != MAT_C_STRUCT)
+    throw InputError(fmt::format("{}: structure '{}' cannot be read; expected an undamaged file", file, variable.name));
+  std::size_t count = 1;
+  for (const auto d : variable.dims) count *= d;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const auto& name : variable.fields) {
+      matvar_t* field = Mat_VarGetStructFieldByName(data.get(), name.c_str(), i);
+      if (!field || !field->data || !described(*field).numeric || field->data_size <= 0) continue;
+      MatArray array{described(*field).dims, std::vector<double>(field->nbytes / static_cast<std::size_t>(field->data_size))};
+      convert(*field, array.value);
+      out.emplace(fmt::format("{}({}).{}", variable.name, i + 1, name), std::move(array));
+    }
+  }
+}
+
 std::string pack(const MatFile& file) {
   Packer out;
   out.add(file.variables.size());
@@ -154,6 +177,8 @@ std::string pack(const MatFile& file) {
     out.add(v.name);
     out.add(v.dims);
     out.add(static_cast<std::size_t>(v.numeric));
+    out.add(static_cast<std::size_t>(v.cells));
+    out.add(v.fields);
   }
   out.add(file.array.size());
   for (const auto& [name, array] : file.array) {
@@ -172,6 +197,8 @@ MatFile unpack(std::string_view bytes) {
     v.name = in.text();
     v.dims = in.list<std::size_t>();
     v.numeric = in.size() != 0;
+    v.cells = in.size() != 0;
+    v.fields = in.texts();
     file.variables.push_back(std::move(v));
   }
   for (auto n = in.size(); n > 0; --n) {
@@ -204,12 +231,15 @@ MatFile read_mat_file(const std::string& name, std::string_view bytes,
     if (file.variables.empty()) throw InputError(damaged);
     for (const auto& chosen : choose(file.variables)) {
       const auto* variable = find(file.variables, chosen);
-      file.array[chosen] = read_variable(mat.get(), *variable, name, bytes.size());
+      if (variable->fields.empty())
+        file.array[chosen] = read_variable(mat.get(), *variable, name, bytes.size());
+      else
+        read_structure(mat.get(), *variable, name, file.array);
     }
     return pack(file);
   };
   const int seconds = 60 + static_cast<int>(bytes.size() / 1'000'000);  // a generous allowance: only endless loops need more
-  return unpack(isolated(work, seconds, damaged));
+  return unpack(isolated(work, seconds, child_memory(bytes.size()), damaged));
 }
 
 }  // namespace swarmfit

@@ -10,6 +10,9 @@
 
 namespace swarmfit {
 
+// What a child process that reads a file of `size` bytes may need [bytes]: numbers of one byte become eight, twice, and files are packed.
+constexpr std::size_t child_memory(std::size_t size) { return (std::size_t{256} << 20) + 100 * size; }
+
 class Packer {
  public:
   void add(std::size_t n) { bytes.append(reinterpret_cast<const char*>(&n), sizeof n); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// MATLAB .mat files: a two-dimensional table of rows, or the herding drives of Jadhav et al. 2024.
+// MATLAB .mat files: a two-dimensional table of rows, the herding drives of Jadhav et al. 2024, or trx of fly trackers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include "libtrack/read/formats.h"
 #include "libtrack/read/mat_drives.h"
 #include "libtrack/read/mat_file.h"
+#include "libtrack/read/mat_trx.h"
 
 namespace swarmfit {
 namespace {
@@ -37,6 +38,10 @@ const MatVariable& choose_table(const MatVariables& variables, const std::string
   }
   for (const auto* usual : {"tracks_filt", "tracks"})
     if (const auto* v = find(variables, usual); v && is_table(*v)) return *v;
+  const auto cells = std::find_if(variables.begin(), variables.end(), [](const auto& v) { return v.cells; });
+  if (cells != variables.end() && options.columns.empty())
+    throw InputError(fmt::format("{}: {} are cells, which is how detections without identities come; expected tracks, a table with ids",
+                                 file, cells->shown()));
   const auto tables = std::count_if(variables.begin(), variables.end(), is_table);
   if (tables == 1) return *std::find_if(variables.begin(), variables.end(), is_table);
   throw InputError(fmt::format("{}: {} among its variables {}; expected --var NAME", file,
@@ -83,15 +88,21 @@ RawTable read_table(const MatFile& mat, const Source& source, const ReadOptions&
 
 RawTable read(const Source& source, const ReadOptions& options) {
   const auto drives = [&](const MatVariables& variables) { return options.variable.empty() && has_drives(variables); };
+  const auto trx = [&](const MatVariables& variables) { return options.variable.empty() && has_trx(variables); };
   const MatFile mat = read_mat_file(source.name, source.bytes, [&](const MatVariables& variables) {
-    return drives(variables) ? drive_variables(variables) : std::vector{choose_table(variables, source.name, options).name};
+    if (drives(variables)) return drive_variables(variables);
+    if (trx(variables)) return std::vector<std::string>{"trx"};
+    return std::vector{choose_table(variables, source.name, options).name};
   });
-  RawTable table = drives(mat.variables) ? read_drives(mat, source.name) : read_table(mat, source, options);
-  return table;
+  if (trx(mat.variables)) return read_trx(mat, source.name);
+  return drives(mat.variables) ? read_drives(mat, source.name) : read_table(mat, source, options);
 }
 
 }  // namespace
 
-const Reader kMatlab = {{"mat", "MATLAB 5 and 7.3: a table of rows, or the arrays pos_ev_k of herding drives", ".mat"}, recognises, read};
+const Reader kMatlab = {
+    {"mat", "MATLAB 5 and 7.3: a table of rows, the arrays pos_ev_k of herding drives, or trx of Ctrax, JAABA and FlyTracker", ".mat"},
+    recognises,
+    read};
 
 }  // namespace swarmfit

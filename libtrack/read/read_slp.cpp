@@ -3,10 +3,11 @@
 // count before predicted ones (pred_points) of the same track and frame. Before format 1.1 the centre of a pixel was at 0.5.
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "libtrack/error.h"
 #include "libtrack/read/formats.h"
@@ -37,6 +38,7 @@ class SlpReader {
     choose_video();
     Postures postures(table_, options_, nodes_);
     const bool tracked = any_track();
+    find_replaced();
     for (std::size_t i = 0; i < track_.size(); ++i) keep(i, tracked);
     for (const auto& [key, i] : chosen_) add(postures, key, i);
     postures.finish();
@@ -83,7 +85,9 @@ class SlpReader {
                                  {"/pred_points", "x"},
                                  {"/pred_points", "y"},
                                  {"/pred_points", "visible"},
-                                 {"/pred_points", "score"}});
+                                 {"/pred_points", "score"},
+                                 {"/instances", "instance_id"},
+                                 {"/instances", "from_predicted"}});
     for (std::size_t i = 0; i < data[0].numbers.size(); ++i) frames_[data[0].numbers[i]] = {data[1].numbers[i], data[2].numbers[i]};
     frame_id_ = data[3].numbers;
     predicted_ = data[4].numbers;
@@ -91,13 +95,21 @@ class SlpReader {
     start_ = data[6].numbers;
     end_ = data[7].numbers;
     set_ = {data[8].numbers, data[9].numbers, data[10].numbers, std::vector<double>(data[8].numbers.size(), 1)};
+    id_ = data[15].numbers;
+    from_ = data[16].numbers;
     found_ = {data[11].numbers, data[12].numbers, data[13].numbers, data[14].numbers};
-    if (source_.hdf5()->find("/tracks_json") && source_.hdf5()->find("/tracks_json")->kind == Hdf5Object::Kind::text)
-      for (const auto& text : read_hdf5(source_.name, source_.bytes, {{"/tracks_json"}})[0].texts) {
-        const auto entry = json::parse(text, nullptr, false);
-        const bool named = entry.is_array() && entry.size() > 1 && entry[1].is_string();
-        names_.push_back(named ? entry[1].get<std::string>() : std::to_string(names_.size()));
-      }
+    read_track_names();
+  }
+
+  void read_track_names() {
+    const auto* tracks = source_.hdf5()->find("/tracks_json");
+    if (!tracks || tracks->kind != Hdf5Object::Kind::text) return;
+    const auto data = read_hdf5(source_.name, source_.bytes, {{"/tracks_json"}});
+    for (const auto& text : data[0].texts) {
+      const auto entry = json::parse(text, nullptr, false);
+      const bool named = entry.is_array() && entry.size() > 1 && entry[1].is_string();
+      names_.push_back(named ? entry[1].get<std::string>() : std::to_string(names_.size()));
+    }
   }
 
   // Frames of several videos are several recordings.
@@ -121,10 +133,20 @@ class SlpReader {
     return std::any_of(track_.begin(), track_.end(), [](double t) { return t >= 0; });
   }
 
+  // Predicted instances that a person corrected: the correction says which.
+  void find_replaced() {
+    for (std::size_t i = 0; i < from_.size(); ++i)
+      if (predicted_[i] == 0 && from_[i] >= 0) gone_.insert(from_[i]);
+  }
+
   void keep(std::size_t i, bool tracked) {
     const auto frame = frames_.find(frame_id_[i]);
     if (frame == frames_.end()) damaged();
     if (frame->second.second != video_) return;
+    if (predicted_[i] != 0 && gone_.count(id_[i]) > 0) {
+      ++replaced_;
+      return;
+    }
     if (tracked && track_[i] < 0) {
       ++untracked_;
       return;
@@ -132,7 +154,7 @@ class SlpReader {
     const Key key{tracked ? static_cast<std::size_t>(track_[i]) : 0, frame->second.first};
     const auto [entry, fresh] = chosen_.try_emplace(key, i);
     if (fresh) return;
-    if (predicted_[i] == predicted_[entry->second] && !tracked)
+    if (!tracked)
       fail(fmt::format(
           "frame {} has several instances and none has a track: these are detections, not individuals; expected tracked instances",
           key.second));
@@ -162,10 +184,11 @@ class SlpReader {
   RawTable table_;
   std::vector<std::string> nodes_, names_;
   double shift_ = 0, video_ = 0;
-  std::map<double, std::pair<double, double>> frames_;              // frame_id → frame number and video
-  std::vector<double> frame_id_, predicted_, track_, start_, end_;  // of the instances
-  std::array<std::vector<double>, 4> set_, found_;                  // of the points: x, y, visible, score
-  std::map<Key, std::size_t> chosen_;                               // instance of a track in a frame
+  std::map<double, std::pair<double, double>> frames_;                          // frame_id → frame number and video
+  std::vector<double> frame_id_, predicted_, track_, start_, end_, id_, from_;  // of the instances
+  std::array<std::vector<double>, 4> set_, found_;                              // of the points: x, y, visible, score
+  std::set<double> gone_;                                                       // their ids
+  std::map<Key, std::size_t> chosen_;                                           // instance of a track in a frame
   std::size_t untracked_ = 0, replaced_ = 0;
 };
 

@@ -121,10 +121,10 @@ class TrackMateReader {
       else
         ++left_out;
     }
-    if (left_out > 0) table_.notes.push_back(fmt::format("{} tracks that TrackMate's filters reject were left out", left_out));
-    if (cut_ > 0) table_.notes.push_back(fmt::format("{} tracks split or merge: they were cut there into {} individuals", cut_, pieces_));
+    if (left_out > 0) table_.notes.push_back(fmt::format("tracks that TrackMate's filters reject, left out: {}", left_out));
+    if (cut_ > 0) table_.notes.push_back(fmt::format("tracks that split or merge, cut there: {}, into {} individuals", cut_, pieces_));
     const std::size_t loose = spots_.size() - used_.size();
-    if (loose > 0) table_.notes.push_back(fmt::format("{} of {} spots belong to no track and were left out", loose, spots_.size()));
+    if (loose > 0) table_.notes.push_back(fmt::format("spots that belong to no track, left out: {} of {}", loose, spots_.size()));
     if (table_.track.empty()) throw InputError(source_.name + ": there are no tracks in it, only spots; expected tracks");
   }
 

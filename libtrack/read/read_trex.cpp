@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Files of TRex, .npz: one individual each, one array per quantity, positions in cm, infinite where it was not seen. X#wcentroid is the
 // weighted centre of the body, X#pcentroid that of its posture, X the head; the first of them is the position unless --node says
-// otherwise. Where there are times, frames are numbered by them: a video that skips images goes on counting. Walter and Couzin, eLife
-// 10:e64000 (2021), doi:10.7554/eLife.64000.
+// otherwise. Walter and Couzin, eLife 10:e64000 (2021), doi:10.7554/eLife.64000.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "libtrack/error.h"
 #include "libtrack/read/formats.h"
+#include "libtrack/read/frame_clock.h"
 #include "libtrack/read/npy.h"
 #include "libtrack/read/postures.h"
 #include "libtrack/read/unpack.h"
@@ -65,6 +66,22 @@ class TrexFile {
   std::size_t rows_ = 0;
 };
 
+// Frames by the times of all rows, also of those where nothing was seen: a video that skips images goes on counting its frames. Times
+// without a constant interval are left to whoever reports that.
+void number_by_time(std::vector<double> all, RawTable& table, std::vector<double>& frame, std::vector<double>& time) {
+  const std::array<std::size_t, 2> first = {0, all.size()};
+  const bool sound =
+      std::all_of(all.begin(), all.end(), [](double t) { return std::isfinite(t); }) && std::is_sorted(all.begin(), all.end());
+  const FrameClock clock = sound ? fit_frame_clock(all, first) : FrameClock();
+  if (!clock.problem.empty() || clock.dt == 0) {
+    time = std::move(all);
+    return;
+  }
+  frame.assign(clock.frame.begin(), clock.frame.end());
+  table.dt = clock.dt;
+  table.t0 = clock.t0;
+}
+
 RawTable read(const Source& source, const ReadOptions& options) {
   if (!recognises(source, options))
     throw InputError(source.name + ": there are no arrays frame, missing and X in it; expected .npz of TRex, without --var and --columns");
@@ -72,9 +89,9 @@ RawTable read(const Source& source, const ReadOptions& options) {
   RawTable table;
   table.file = source.name;
   table.unit = "cm";
-  const auto frame = file.array("frame");
-  const bool timed = file.has("time");
-  const auto time = timed ? file.array("time") : std::vector<double>();
+  auto frame = file.array("frame");
+  std::vector<double> time;
+  if (file.has("time")) number_by_time(file.array("time"), table, frame, time);
   std::vector<std::string> nodes;
   std::vector<std::vector<double>> x, y;
   for (const auto& point : kPoints) {
@@ -91,7 +108,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
       px[n] = x[n][i];
       py[n] = y[n][i];
     }
-    postures.add({track, timed ? kNone : frame[i], timed ? time[i] : kNone, px, py, {}, {}});
+    postures.add({track, time.empty() ? frame[i] : kNone, time.empty() ? kNone : time[i], px, py, {}, {}});
   }
   postures.finish();
   table.notes.emplace_back("positions are in cm by the scale that TRex was given (cm_per_pixel)");

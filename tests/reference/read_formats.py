@@ -48,7 +48,9 @@ def sleap(path, node):
         tracks = file["tracks"][:]  # track, axis, node, frame
         nodes = [n.decode() for n in file["node_names"][:]]
         names = [n.decode() if isinstance(n, bytes) else n for n in file["track_names"][:]] or range(tracks.shape[0])
-        points = np.nanmean(tracks, axis=2) if node == "mean" else tracks[:, :, nodes.index(node)]
+        seen = np.isfinite(tracks)
+        mean = np.where(seen, tracks, 0).sum(axis=2) / np.where(seen.any(axis=2), seen.sum(axis=2), np.nan)
+        points = mean if node == "mean" else tracks[:, :, nodes.index(node)]
         return rows_of_wide(names, np.moveaxis(points, 1, 2)), None, "px"
 
 
@@ -146,6 +148,24 @@ def nwb(path, node):
         return [("1", int(f), float(x * scale + offset), float(y * scale + offset)) for f, (x, y) in zip(frames, series["data"][:])], 1 / step, "px"
 
 
+def ethovision(path, node):
+    space = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+    with zipfile.ZipFile(path) as book:
+        shared = ["".join(t.text or "" for t in s.iter(space + "t")) for s in xml.fromstring(book.read("xl/sharedStrings.xml"))]
+        sheet = xml.fromstring(book.read("xl/worksheets/sheet1.xml"))
+    value = lambda c: "" if c.find(space + "v") is None else shared[int(c.find(space + "v").text)] if c.get("t") == "s" else c.find(space + "v").text
+    table = [{c.get("r").rstrip("0123456789"): value(c) for c in row} for row in sheet.iter(space + "row")]
+    header = int(table[0]["B"])
+    column = {name: letter for letter, name in table[header - 2].items()}
+    subject = next(row["B"] for row in table if row.get("A") == "Subject name")
+    rows = []
+    for row in table[header:]:
+        x, y = row[column[f"X {node}"]], row[column[f"Y {node}"]]
+        if x != "-" and y != "-":
+            rows.append((subject, round(float(row[column["Trial time"]]) * 15000 / 1001), float(x), float(y)))
+    return rows, None, "cm"
+
+
 # file, reader, flags of the program
 CASES = [
     ("idtrackerai/trajectories.h5", idtracker, []),
@@ -162,6 +182,8 @@ CASES = [
     ("sleap/centered_pair_predictions.slp", lambda p: slp(p, "thorax"), ["--node", "thorax", "--fps", "100"]),
     ("deeplabcut/m3v1mp4DeepCut_resnet50_openfieldOct30shuffle1_15001.h5", lambda p: deeplabcut(p, "snout"), ["--node", "snout", "--fps", "30"]),
     ("nwb/0.3.0_poseestimation_one_camera.nwb", lambda p: nwb(p, "front_left_paw"), ["--node", "front_left_paw"]),
+    ("ethovision/xt_export.xlsx", lambda p: ethovision(p, "center"), []),
+    ("ethovision/xt_export.xlsx", lambda p: ethovision(p, "nose"), ["--node", "nose"]),
     ("fasttrack/tracking.db", fasttrack, ["--fps", "25"]),
 ]
 

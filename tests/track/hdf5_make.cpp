@@ -41,10 +41,13 @@ void write_dataset(hid_t file, const std::string& path, hid_t type, const std::v
 
 }  // namespace
 
-MadeHdf5::MadeHdf5() {
+MadeHdf5::MadeHdf5(hsize_t user_block) {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  const hid_t creation = H5Pcreate(H5P_FILE_CREATE);
+  H5Pset_userblock(creation, user_block);
   H5Pset_fapl_core(access, 1 << 16, false);
-  file_ = H5Fcreate(std::to_string(reinterpret_cast<std::uintptr_t>(this)).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  file_ = H5Fcreate(std::to_string(reinterpret_cast<std::uintptr_t>(this)).c_str(), H5F_ACC_TRUNC, creation, access);
+  H5Pclose(creation);
   H5Pclose(access);
 }
 

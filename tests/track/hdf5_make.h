@@ -12,7 +12,7 @@ namespace swarmfit {
 
 class MadeHdf5 {
  public:
-  MadeHdf5();
+  explicit MadeHdf5(hsize_t user_block = 0);  // bytes to put in front, which HDF5 skips; bytes() lacks them
   MadeHdf5(const MadeHdf5&) = delete;
   MadeHdf5& operator=(const MadeHdf5&) = delete;
   ~MadeHdf5();

@@ -126,6 +126,103 @@ TEST(PedestrianHdf5, WhatIsNotThereIsAskedFor) {
   EXPECT_EQ(error_of(torn.bytes(), flags()), "f.csv: row 2: the frame number 5.5 is not an integer; expected whole frames");
 }
 
+TEST(DeepLabCutHdf5, NamesWithoutUnpickling) {
+  // pickle.dumps([("net", "nose", "x"), ("net", "nose", "y"), ("net", "nose", "likelihood"), ...], 0) for nose and tail
+  const std::string names =
+      "(lp0\n(Vnet\np1\nVnose\np2\nVx\np3\ntp4\na(g1\ng2\nVy\np5\ntp6\na(g1\ng2\nVlikelihood\np7\ntp8\na"
+      "(g1\nVtail\np9\ng3\ntp10\na(g1\ng9\ng5\ntp11\na(g1\ng9\ng7\ntp12\na.";
+  MadeHdf5 file;
+  file.table("/df_with_missing/table", {{"index:", {0, 1}}, {"values_block_0", {1, 2, 0.9, 11, 12, 0.9, 3, 4, 0.1, 13, 14, 0.9}, 6}})
+      .attribute("/df_with_missing/table", "values_block_0_kind", names);
+  const auto tracks = read(file.bytes(), {.fps = 30, .node = "tail"});
+  EXPECT_EQ(tracks.meta().from.format, "deeplabcut-h5");
+  ASSERT_EQ(tracks.rows(), 2);
+  EXPECT_EQ(tracks.pos()(1, 0), 13);
+  EXPECT_EQ(tracks.pos()(1, 1), 14);
+  EXPECT_EQ(read(file.bytes(), {.fps = 30, .node = "nose", .min_confidence = 0.5}).rows(), 1);
+  EXPECT_THAT(error_of(file.bytes(), {.fps = 30}), HasSubstr("every individual has 2 points, nose, tail"));
+}
+
+TEST(DeepLabCutHdf5, ProgramsAreNotRun) {
+  for (const std::string pickle : {"cos\nsystem\n(Vecho\ntR.", "(lp0\n.", "(Vx\n.", "g1\n.", "p1\n.", "(((((", "t", "a", ""}) {
+    MadeHdf5 file;
+    file.table("/df_with_missing/table", {{"index:", {0}}, {"values_block_0", {1, 2, 3}, 3}})
+        .attribute("/df_with_missing/table", "values_block_0_kind", pickle);
+    EXPECT_THAT(error_of(file.bytes(), {.fps = 30}), HasSubstr("the names of its columns cannot be read")) << pickle;
+  }
+}
+
+void make_nwb(MadeHdf5& file, const std::string& pose, const std::vector<std::string>& points) {
+  const auto path = "/processing/behavior/" + pose;
+  for (const auto& point : points)
+    file.numbers(path + "/" + point + "/data", {3, 2}, {1, 2, 3, 4, 5, 6})
+        .numbers(path + "/" + point + "/timestamps", {3}, {0, 0.02, 0.04})
+        .numbers(path + "/" + point + "/confidence", {3}, {1, 0.2, 1})
+        .attribute(path + "/" + point + "/data", "unit", "meters")
+        .attribute(path + "/" + point + "/data", "conversion", 10.0)
+        .attribute(path + "/" + point, "neurodata_type", "PoseEstimationSeries");
+  file.attribute(path, "neurodata_type", "PoseEstimation");
+}
+
+TEST(Nwb, PosesOfOneIndividual) {
+  MadeHdf5 file;
+  make_nwb(file, "PoseEstimation", {"paw"});
+  file.attribute("/", "nwb_version", "2.9.0");
+  const auto tracks = read(file.bytes());
+  EXPECT_EQ(tracks.meta().from.format, "nwb");
+  EXPECT_EQ(tracks.meta().unit, "m");
+  EXPECT_NEAR(tracks.dt(), 0.02, 1e-12);
+  EXPECT_EQ(tracks.pos()(2, 1), 60);
+  EXPECT_EQ(read(file.bytes(), {.min_confidence = 0.5}).rows(), 2);
+  make_nwb(file, "Other", {"paw", "tail"});
+  EXPECT_EQ(error_of(file.bytes()),
+            "f.csv: there are 2 PoseEstimation, Other, PoseEstimation; expected --var NAME, one individual seen by one camera");
+  EXPECT_EQ(read(file.bytes(), {.variable = "Other", .node = "tail"}).rows(), 3);
+}
+
+// Two frames of two tracked instances with one node; a person has moved the first.
+void make_slp(MadeHdf5& file, const std::vector<double>& track, double format, double from = -1) {
+  file.table("/frames", {{"frame_id:", {0, 1}}, {"video:", {0, 0}}, {"frame_idx:", {10, 11}}})
+      .table("/instances", {{"instance_id:", {0, 1, 2, 3}},
+                            {"from_predicted:", {from, -1, -1, -1}},
+                            {"frame_id:", {0, 0, 0, 1}},
+                            {"instance_type:", {0, 1, 1, 1}},
+                            {"track:", track},
+                            {"point_id_start:", {0, 0, 1, 2}},
+                            {"point_id_end:", {1, 1, 2, 3}}})
+      .table("/points", {{"x", {100}}, {"y", {200}}, {"visible:", {1}}})
+      .table("/pred_points", {{"x", {1, 2, 3}}, {"y", {4, 5, 6}}, {"visible:", {1, 1, 1}}, {"score", {0.9, 0.9, 0.3}}})
+      .texts("/tracks_json", {"[0, \"Ada\"]", "[0, \"Bo\"]"})
+      .numbers("/metadata/nothing", {1}, {0})
+      .attribute("/metadata", "format_id", format)
+      .attribute("/metadata", "json", R"({"nodes": [{"name": "tail"}, {"name": "nose"}], "skeletons": [{"nodes": [{"id": 1}]}]})");
+}
+
+TEST(Slp, InstancesOfTracks) {
+  MadeHdf5 file;
+  make_slp(file, {0, 0, 1, 0}, 1.2);
+  const auto tracks = read(file.bytes(), {.fps = 10, .node = "nose"});
+  EXPECT_EQ(tracks.meta().from.format, "slp");
+  EXPECT_THAT(tracks.names(), ElementsAre("Ada", "Bo"));
+  ASSERT_EQ(tracks.rows(), 3);
+  EXPECT_EQ(tracks.frame()[0], 10);
+  EXPECT_EQ(tracks.pos()(0, 0), 100) << "what a person set counts";
+  EXPECT_EQ(tracks.pos()(2, 0), 3);
+  EXPECT_EQ(read(file.bytes(), {.fps = 10, .min_confidence = 0.5}).rows(), 2);
+  MadeHdf5 old;
+  make_slp(old, {0, 0, 1, 0}, 1.0);
+  EXPECT_EQ(read(old.bytes(), {.fps = 10}).pos()(2, 0), 2.5) << "before 1.1 the centre of a pixel was at 0.5";
+}
+
+TEST(Slp, DetectionsAreNoIndividuals) {
+  MadeHdf5 file;
+  make_slp(file, {-1, -1, -1, -1}, 1.2);
+  EXPECT_THAT(error_of(file.bytes(), {.fps = 10}), HasSubstr("these are detections, not individuals; expected tracked instances"));
+  MadeHdf5 corrected;
+  make_slp(corrected, {0, -1, 1, 0}, 1.2, 1);
+  EXPECT_EQ(read(corrected.bytes(), {.fps = 10}).rows(), 3) << "the correction says which instance it replaces";
+}
+
 // ---- files that are no such recordings ----
 
 TEST(Hdf5, UnknownLayoutSaysWhatIsThere) {
