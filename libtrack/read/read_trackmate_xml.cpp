@@ -192,7 +192,7 @@ RawTable read(const Source& source, const ReadOptions&) {
 
 }  // namespace
 
-const Reader kTrackMate = {
+const Reader kTrackMateXml = {
     {"trackmate", "TrackMate XML: its own files, with splits and merges, and exported tracks", ".xml"}, recognises, read};
 
 }  // namespace swarmfit

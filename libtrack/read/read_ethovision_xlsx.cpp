@@ -152,6 +152,6 @@ RawTable read(const Source& source, const ReadOptions& options) {
 
 }  // namespace
 
-const Reader kEthoVision = {{"ethovision-xlsx", "raw data of EthoVision XT, a spreadsheet", ".xlsx"}, recognises, read};
+const Reader kEthoVisionXlsx = {{"ethovision-xlsx", "raw data of EthoVision XT, a spreadsheet", ".xlsx"}, recognises, read};
 
 }  // namespace swarmfit
