@@ -229,10 +229,22 @@ TEST(Hdf5, UnknownLayoutSaysWhatIsThere) {
   MadeHdf5 file;
   file.numbers("/a/b", {2, 3}, std::vector<double>(6));
   EXPECT_EQ(error_of(file.bytes()),
-            "f.csv: is an HDF5 file of no known layout, which holds /a/b (2 x 3); expected one that swarmfit formats lists");
+            "f.csv: is an HDF5 file of no known layout, which holds /a/b (2 x 3); expected one that swarmfit formats lists, or --columns "
+            "and --var for its arrays");
   EXPECT_THAT(error_of(file.bytes(), {.format = "idtracker"}), HasSubstr("expected trajectories.h5 of idtracker.ai"));
   EXPECT_THAT(error_of(file.bytes(), {.format = "sleap"}), HasSubstr("expected an analysis file of SLEAP"));
   EXPECT_THAT(error_of("id,x,y\n1,2,3\n", {.format = "pedestrian-h5"}), HasSubstr("expected HDF5 of the Pedestrian Dynamics Data Archive"));
+}
+
+TEST(Hdf5, PlainArraysAsTheUserSays) {
+  MadeHdf5 file;
+  file.numbers("/run/rows", {2, 4}, {7, 0, 1, 2, 7, 1, 3, 4}).numbers("/run/other", {2, 4}, std::vector<double>(8));
+  const ReadOptions rows{.columns = "id,frame,x,y", .fps = 10, .unit = "m", .variable = "run/rows"};
+  const auto tracks = read(file.bytes(), rows);
+  EXPECT_EQ(tracks.meta().from.format, "hdf5");
+  EXPECT_EQ(tracks.pos()(1, 1), 4);
+  EXPECT_THAT(error_of(file.bytes(), flags("id,frame,x,y")),
+              HasSubstr("several could hold positions among its arrays run/other (2 x 4), run/rows (2 x 4); expected --var NAME"));
 }
 
 TEST(Hdf5, OtherFilesAreNotOpened) {
