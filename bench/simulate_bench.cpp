@@ -44,9 +44,7 @@ Lane scene(const ModelSpec& spec, Index agents) {
 // settle: simulated seconds before what is measured.
 void run(benchmark::State& state, const char* name, double settle) {
   const ModelChoice choice = parse_model(name);
-  Setup setup;
-  setup.options = choice.options;
-  const auto model = choice.spec->make(setup);
+  const auto model = make_model(choice, {});
   Lane lane = scene(*choice.spec, state.range(0));
   Plan plan{.frame_dt = 0.01, .frames = 1 + static_cast<std::int64_t>(settle / 0.01)};
   cpu_backend().run(*model, plan, {&lane, 1});

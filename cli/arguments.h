@@ -18,7 +18,7 @@ struct Common {
 // A recording and how to read it.
 struct DataArguments {
   std::string path;
-  std::string columns, delimiter, unit, variable, format, node, frames, times;
+  std::string columns, delimiter, unit, variable, format, node, frames, times, kind;
   double fps = 0;
   double min_confidence = -1;  // negative: all points
   int fill_gaps = 0;
@@ -48,10 +48,16 @@ struct FitArguments {
 };
 
 struct ResumeArguments {
-  std::string dir;
+  std::string dir, part;
   int threads = 0;
   double max_time = 0;
   bool json = false, quiet = false;
+};
+
+struct MergeArguments {
+  std::vector<std::string> dirs;
+  std::string out;
+  ResumeArguments resume;  // how the whole is finished
 };
 
 struct ReportArguments {
@@ -62,6 +68,7 @@ struct ReportArguments {
 
 struct RecoverArguments {
   Common common;
+  std::string part;  // "k/n"; empty: all
   std::vector<std::string> models, planted, set;
   std::string preset, out, budget = "quick", protocol = "default", scoring, observation_error, lags, resolution, calibration, steps;
   std::int64_t max_evaluations = 0, frames = 300;
@@ -76,6 +83,7 @@ struct RecoverArguments {
 
 struct PowerArguments {
   FitArguments fit;
+  std::string part;  // "k/n"; empty: all
   int seeds = 3;
 };
 

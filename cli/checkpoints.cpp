@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/cluster.h"
 #include "cli/interrupt.h"
 #include "libtrack/error.h"
+#include "libtrack/file.h"
 #include "reports/write/run_folder.h"
 
 namespace swarmfit::cli {
@@ -25,11 +27,19 @@ bool is_unfinished(const std::string& dir) {
 }  // namespace
 
 Checkpoint checkpoint_in(const std::string& dir, const RunIdentity& run, bool resume) {
-  if (!resume || !std::filesystem::exists(path_in(dir))) return {path_in(dir), run, [dir, text = run.config] { begin_run(dir, text); }};
-  return {path_in(dir), run};
+  const std::string path = path_in(dir);
+  const bool go_on = resume && std::filesystem::exists(path);
+  // All must take the same path from the same bytes.
+  if (cluster().size() > 1) {
+    const std::string bytes = cluster().broadcast(go_on && cluster().first() ? read_file(path) : "");
+    if (!cluster().first()) return Checkpoint::copy_of(bytes, path, run);
+  }
+  if (go_on) return {path, run};
+  return {path, run, [dir, text = run.config] { begin_run(dir, text); }};
 }
 
 void remove_checkpoint(const std::string& dir) {
+  if (!cluster().first()) return;
   std::error_code not_there;
   std::filesystem::remove(path_in(dir), not_there);
 }

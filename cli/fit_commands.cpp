@@ -10,8 +10,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "cli/checkpoints.h"
+#include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
@@ -41,13 +43,23 @@ std::string name_of(const std::string& path) {
 }
 
 // What may differ between two runs of the same job stands here and nowhere else.
-void write_timing(const std::string& dir, double seconds, const Comparison& result) {
-  std::int64_t simulations = 0;
-  for (const auto& model : result.models) simulations += model.simulations;
-  write_file_atomically(
-      dir + "/timing.json",
-      fmt::format("{{\n  \"wall_seconds\": {:.3f},\n  \"threads\": {},\n  \"simulations\": {},\n  \"simulations_per_second\": {:.1f}\n}}\n",
-                  seconds, omp_get_max_threads(), simulations, static_cast<double>(simulations) / seconds));
+void write_timing(const std::string& dir, double seconds, const Tally& tally) {
+  const nlohmann::ordered_json timing = {{"wall_seconds", seconds},
+                                         {"processes", cluster().size()},
+                                         {"threads", omp_get_max_threads()},
+                                         {"simulations", tally.made},
+                                         {"simulations_taken_up", tally.found},
+                                         {"simulations_per_second", static_cast<double>(tally.made) / seconds},
+                                         {"batches", tally.batches},
+                                         {"largest_batch", tally.largest_batch}};
+  write_file_atomically(dir + "/timing.json", timing.dump(2) + '\n');
+}
+
+// After an interruption: nothing that was kept is simulated again.
+void say_what_was_taken_up(const FitArguments& a, const Tally& tally) {
+  if (a.resume && !a.common.quiet)
+    std::fprintf(stderr, "%lld simulations taken up, %lld made now\n", static_cast<long long>(tally.found),
+                 static_cast<long long>(tally.made));
 }
 
 // Compares on one recording and writes its run directory. The checkpoint stays: the caller removes it when all is done.
@@ -63,18 +75,18 @@ Comparison run_one(const FitArguments& a, CompareOptions options, const Tracks& 
   const auto text = config_toml(options.models.size() > 1 ? "compare" : "fit", config);
   // Of several recordings, one whose turn had not come has no checkpoint to take up.
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, text}, a.resume);
-  Journal journal(checkpoint);
   ProgressLine line(a.common.quiet);
-  const OnCompareProgress on_progress = [&line](const CompareProgress& now) {
-    line.show(now);
-    return !interrupted();
-  };
-  if (a.common_dynamics) options = with_common_dynamics(recording, options, on_progress, &journal);
-  Comparison result = swarmfit::compare(recording, options, on_progress, &journal);
+  const OnCompareProgress on_progress = [&line](const CompareProgress& now) { line.show(now); };
+  Tally tally;
+  const Runtime runtime{&executor(), &checkpoint, &tally};
+  if (a.common_dynamics) options = with_common_dynamics(recording, options, on_progress, runtime);
+  Comparison result = swarmfit::compare(recording, options, on_progress, runtime);
   result.version = kVersion;
   result.config = config;
+  if (!cluster().first()) return result;
   write_run(dir, result);
-  write_timing(dir, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), result);
+  write_timing(dir, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), tally);
+  say_what_was_taken_up(a, tally);
   return result;
 }
 
@@ -94,7 +106,7 @@ int run_several(const FitArguments& a, const CompareOptions& options, const std:
                                     [&](const std::string& other) { return name_of(other) == name_of(path); });
     names.push_back(name_of(path) + (same > 0 ? "-" + std::to_string(same + 1) : ""));
   }
-  if (!a.resume) begin_run(dir, config_toml("compare", resolved(a, options.models)));
+  if (!a.resume && cluster().first()) begin_run(dir, config_toml("compare", resolved(a, options.models)));
   std::vector<Comparison> results;
   std::vector<RecordingPage> pages;
   for (std::size_t k = 0; k < recordings.size(); ++k) {
@@ -106,7 +118,7 @@ int run_several(const FitArguments& a, const CompareOptions& options, const std:
     for (auto& model : results.back().models) model.film = {};
   }
   const Across summary = across(results);
-  write_across(dir, summary, pages, kVersion);
+  if (cluster().first()) write_across(dir, summary, pages, kVersion);
   for (const auto& name : names) remove_checkpoint(fmt::format("{}/{}", dir, name));
   std::fputs(a.common.json ? to_json(summary).c_str() : across_text(summary, style()).c_str(), stdout);
   say_where(a, dir);
@@ -117,7 +129,7 @@ int run(const FitArguments& a, const CompareOptions& options) {
   use_threads(a.common);
   if (a.max_time > 0) stop_after(a.max_time);
   const std::string dir = !a.out.empty() ? a.out : "swarmfit-" + (a.recordings.size() > 1 ? "several" : name_of(a.recordings.front()));
-  check_run_directory(dir);
+  if (cluster().first()) check_run_directory(dir);
   try {
     if (a.recordings.size() > 1) return run_several(a, options, dir);
     const Comparison result = run_one(a, options, load(a.data, a.recordings.front()), a.recordings.front(), dir);

@@ -5,6 +5,8 @@
 #include <csignal>
 #include <optional>
 
+#include "cli/cluster.h"
+
 namespace swarmfit::cli {
 namespace {
 
@@ -30,5 +32,10 @@ void stop_after(double seconds) {
 }
 
 bool interrupted() { return signalled != 0 || (deadline && std::chrono::steady_clock::now() >= *deadline); }
+
+const Executor& executor() {
+  static const Processes all(cluster(), interrupted);
+  return all;
+}
 
 }  // namespace swarmfit::cli

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "fit/experiment/executor.h"
+
 namespace swarmfit::cli {
 
 inline constexpr int kInterrupted = 130;  // exit code
@@ -10,5 +12,8 @@ void install_interrupt_handler();
 // The same as a signal, when this time is up.
 void stop_after(double seconds);
 bool interrupted();
+
+// Whoever makes the simulations: all processes; work ends with Interrupted when interrupted() says so in one of them.
+const Executor& executor();
 
 }  // namespace swarmfit::cli

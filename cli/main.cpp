@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The command line of swarmfit. The only file that includes CLI11, which takes long to compile.
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
 
+#include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/parts.h"
 #include "cli/version.h"
 #include "libtrack/error.h"
 #include "libtrack/memory.h"
@@ -35,6 +41,7 @@ void add_reading(CLI::App& app, DataArguments& data) {
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--frames", data.frames, "use frames a:b only, inclusive, in the file's numbering");
   app.add_option("--times", data.times, "use times a:b only, inclusive [s]");
+  app.add_option("--kind", data.kind, "use one kind of individual only, by name or number: sheep, or 0");
   app.add_option("--fill-gaps", data.fill_gaps, "fill gaps of at most this many frames by linear interpolation")
       ->check(CLI::NonNegativeNumber);
 }
@@ -146,6 +153,7 @@ struct Program {
   WeighArguments weigh;
   SimulateArguments simulate;
   RecoverArguments recover;
+  MergeArguments merge;
   PowerArguments power;
   ResumeArguments resume;
   ReportArguments report;
@@ -170,6 +178,7 @@ struct Program {
     add_resume();
     add_report();
     add_recover();
+    add_merge();
     add_power();
     add_lists();
   }
@@ -262,8 +271,27 @@ struct Program {
     sub.add_option("RUN_DIR", resume.dir, "its run directory, started from the folder in which the run was started")->required();
     sub.add_option("--threads", resume.threads, "threads to use, 0 for all cores; never changes a result")->check(CLI::NonNegativeNumber);
     add_max_time(sub, resume.max_time);
+    add_part(sub, resume.part);
     sub.add_flag("--json", resume.json, "print JSON instead of text");
     sub.add_flag("-q,--quiet", resume.quiet, "no progress, no remarks");
+  }
+
+  static void add_part(CLI::App& sub, std::string& part) {
+    sub.add_option("--part", part, "k/n: only every n-th recording of the study, from the k-th on; merge puts all n parts together")
+        ->configurable(false);
+  }
+
+  void add_merge() {
+    auto& sub = command("merge", "one study of the parts that recover or power made with --part", [this] {
+      if (cluster().first()) merge_parts(merge);
+      merge.resume.dir = merge.out;
+      return resume_run(merge.resume);
+    });
+    sub.add_option("DIR", merge.dirs, "folders of all parts")->required();
+    sub.add_option("-o,--out", merge.out, "run directory of the whole")->required();
+    sub.add_option("--threads", merge.resume.threads, "threads to use, 0 for all cores; never changes a result")->check(CLI::NonNegativeNumber);
+    sub.add_flag("--json", merge.resume.json, "print JSON instead of text");
+    sub.add_flag("-q,--quiet", merge.resume.quiet, "no progress, no remarks");
   }
 
   void add_report() {
@@ -295,6 +323,7 @@ struct Program {
     sub.add_option("--plant", a.planted, "models that make recordings; all that are compared if not given");
     sub.add_option("--set", a.set, "model.parameter=value, of the planted models, in physical units")->take_all();
     sub.add_option("--seeds", a.seeds, "recordings per model")->check(CLI::PositiveNumber)->capture_default_str();
+    add_part(sub, a.part);
     sub.add_option("--agents", a.agents, "individuals in a recording")->check(CLI::Range(2, 100000))->capture_default_str();
     sub.add_option("--frames", a.frames, "frames of a recording")->check(CLI::PositiveNumber)->capture_default_str();
     sub.add_option("--fps", a.fps, "frames per second")->check(CLI::PositiveNumber)->capture_default_str();
@@ -330,6 +359,7 @@ struct Program {
     add_fit(sub, power.fit);
     add_preset(sub, power.fit);
     sub.add_option("--seeds", power.seeds, "recordings made by each model, 2 or more")->check(CLI::Range(2, 10000))->capture_default_str();
+    add_part(sub, power.part);
   }
 
   void add_lists() {
@@ -363,9 +393,23 @@ int resume_run(const ResumeArguments& a) {
     run.common.quiet = a.quiet;
     return program.chosen();
   };
-  if (command == "recover") return go_on(program.recover);
-  if (command == "power") return go_on(program.power.fit);
+  if (command == "recover") {
+    program.recover.part = a.part;
+    return go_on(program.recover);
+  }
+  if (command == "power") {
+    program.power.part = a.part;
+    return go_on(program.power.fit);
+  }
+  if (!a.part.empty()) throw InputError(fmt::format("--part: {} is a run of swarmfit {}; expected recover or power", a.dir, command));
   return go_on(command == "fit" ? program.fit : program.compare);
+}
+
+// What other processes have no part in, the first does alone.
+bool shares_work(const CLI::App& app) {
+  const auto given = app.get_subcommands();
+  constexpr std::array kShared = {"fit", "compare", "recover", "power", "resume", "merge"};
+  return !given.empty() && std::find(kShared.begin(), kShared.end(), given.front()->get_name()) != kShared.end();
 }
 
 // The command as it was given, fit to be pasted into a shell.
@@ -396,13 +440,13 @@ int run(int argc, char** argv) {
     return code == 0 ? 0 : 2;
   }
   install_interrupt_handler();
-  return program.chosen();
+  return shares_work(program.app) || cluster().first() ? program.chosen() : 0;
 }
 
 // One line on standard error for whatever went wrong.
 int complain(const char* what, int code) {
   std::fprintf(stderr, "swarmfit: %s\n", what);
-  return code;
+  return cluster().leave(code, what);
 }
 
 }  // namespace
@@ -411,8 +455,9 @@ int complain(const char* what, int code) {
 int main(int argc, char** argv) {
   using swarmfit::cli::complain;
   swarmfit::keep_freed_memory();
+  swarmfit::cli::cluster();
   try {
-    return swarmfit::cli::run(argc, argv);
+    return swarmfit::cli::cluster().leave(swarmfit::cli::run(argc, argv), "");
   } catch (const swarmfit::InputError& e) {
     return complain(e.what(), 2);
   } catch (const std::exception& e) {

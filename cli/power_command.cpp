@@ -5,8 +5,10 @@
 #include <cstdio>
 
 #include "cli/checkpoints.h"
+#include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/parts.h"
 #include "cli/progress.h"
 #include "cli/settings.h"
 #include "cli/style.h"
@@ -23,8 +25,9 @@ int power(const PowerArguments& given) {
   if (a.recordings.size() != 1) throw InputError("power: expected one recording");
   if (options.compare.models.size() < 2)
     throw InputError("power: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
+  const Part part = parse_part(given.part);
   const std::string dir = a.out.empty() ? "swarmfit-power" : a.out;
-  check_run_directory(dir);
+  if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   Settings settings = resolved(a, options.compare.models);
   settings.emplace_back("seeds", std::to_string(given.seeds));
@@ -35,17 +38,15 @@ int power(const PowerArguments& given) {
     StudyProgress progress(a.common.quiet, 1 + options.compare.models.size() * static_cast<std::size_t>(given.seeds));
     const auto on_power = [&](std::size_t done, std::size_t) {
       if (done > 0) progress.done(done == 1 ? "models fitted to the recording" : "a planted recording compared");
-      return !interrupted();
     };
-    const auto on_progress = [&](const CompareProgress& now) {
-      progress.show(now);
-      return !interrupted();
-    };
-    result = swarmfit::power(recording, options, on_power, {on_progress, &checkpoint});
+    const auto on_progress = [&](const CompareProgress& now) { progress.show(now); };
+    result = swarmfit::power(recording, options, on_power, {on_progress, {&executor(), &checkpoint}, part});
   } catch (const Interrupted&) {
     return stopped_before_the_end(dir);
   }
   result.fitted.version = kVersion;
+  if (!cluster().first()) return 0;
+  if (part.of > 1) return part_done(dir, part, a.common.quiet);
   write_power(dir, result, settings);
   remove_checkpoint(dir);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : power_text(result, style()).c_str(), stdout);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // recover: plant models, film them, compare, and count who wins on whose recording.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <filesystem>
 
 #include "cli/checkpoints.h"
+#include "cli/cluster.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/parts.h"
 #include "cli/progress.h"
 #include "cli/settings.h"
 #include "cli/style.h"
@@ -61,11 +62,10 @@ RecoveryOptions recovery_options(const RecoverArguments& a) {
 
 Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   std::vector<std::string> compared, planted;
-  const auto quoted = [](const std::string& text) { return fmt::format("\"{}\"", text); };
-  for (const auto& m : o.compare.models) compared.push_back(quoted(m.name));
-  for (const auto& m : o.planted) planted.push_back(quoted(m.name));
-  Settings s{{"model", fmt::format("[{}]", fmt::join(compared, ", "))},
-             {"plant", fmt::format("[{}]", fmt::join(planted, ", "))},
+  for (const auto& m : o.compare.models) compared.push_back(m.name);
+  for (const auto& m : o.planted) planted.push_back(m.name);
+  Settings s{{"model", quoted(compared)},
+             {"plant", quoted(planted)},
              {"seed", std::to_string(a.common.seed)},
              {"seeds", std::to_string(a.seeds)},
              {"agents", std::to_string(a.agents)},
@@ -89,9 +89,7 @@ Settings resolved(const RecoverArguments& a, const RecoveryOptions& o) {
   if (!a.scoring.empty()) s.emplace_back("scoring", quoted(a.scoring));
   if (!a.calibration.empty()) s.emplace_back("calibration", quoted(a.calibration));
   if (!a.steps.empty()) s.emplace_back("steps", quoted(a.steps));
-  std::vector<std::string> set;
-  for (const auto& text : a.set) set.push_back(quoted(text));
-  if (!set.empty()) s.emplace_back("set", fmt::format("[{}]", fmt::join(set, ", ")));
+  if (!a.set.empty()) s.emplace_back("set", quoted(a.set));
   return s;
 }
 
@@ -100,13 +98,10 @@ int recover_models_of(const RecoverArguments& a, const RecoveryOptions& options,
   StudyProgress progress(a.common.quiet, total);
   const auto on_case = [&](const RecoveryCase& c) {
     progress.done(fmt::format("{}, seed {}: {} first", options.planted[c.planted].name, c.seed, c.order.front()));
-    return !interrupted();
   };
-  const auto on_progress = [&](const CompareProgress& now) {
-    progress.show(now);
-    return !interrupted();
-  };
-  const Recovery result = recover_models(options, on_case, {on_progress, &checkpoint});
+  const auto on_progress = [&](const CompareProgress& now) { progress.show(now); };
+  const Recovery result = recover_models(options, on_case, {on_progress, {&executor(), &checkpoint}, parse_part(a.part)});
+  if (!cluster().first() || !a.part.empty()) return 0;
   const Settings settings = resolved(a, options);
   write_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : recovery_text(result, style()).c_str(), stdout);
@@ -116,9 +111,9 @@ int recover_models_of(const RecoverArguments& a, const RecoveryOptions& options,
 int recover_parameters_of(const RecoverArguments& a, const RecoveryOptions& options, const std::string& dir, Checkpoint& checkpoint) {
   const auto on_case = [&](std::size_t done) {
     if (!a.common.quiet) std::fprintf(stderr, "%zu/%d\n", done, options.seeds);
-    return !interrupted();
   };
-  const ParameterRecovery result = recover_parameters(options, on_case, &checkpoint);
+  const ParameterRecovery result = recover_parameters(options, on_case, {&executor(), &checkpoint}, parse_part(a.part));
+  if (!cluster().first() || !a.part.empty()) return 0;
   const Settings settings = resolved(a, options);
   write_parameter_recovery(dir, result, settings, kVersion);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : parameter_recovery_text(result, style()).c_str(), stdout);
@@ -130,12 +125,14 @@ int recover_parameters_of(const RecoverArguments& a, const RecoveryOptions& opti
 int recover(const RecoverArguments& a) {
   use_threads(a.common);
   const RecoveryOptions options = recovery_options(a);
+  parse_part(a.part);
   const std::string dir = a.out.empty() ? "swarmfit-recovery" : a.out;
-  check_run_directory(dir);
+  if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, "", config_toml("recover", resolved(a, options))}, a.resume);
   try {
     const int code = a.parameters ? recover_parameters_of(a, options, dir, checkpoint) : recover_models_of(a, options, dir, checkpoint);
+    if (!a.part.empty()) return cluster().first() ? part_done(dir, parse_part(a.part), a.common.quiet) : 0;
     remove_checkpoint(dir);
     return code;
   } catch (const Interrupted&) {

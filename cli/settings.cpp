@@ -12,8 +12,10 @@
 #include <iostream>
 #include <iterator>
 
+#include "cli/cluster.h"
 #include "fit/experiment/plant.h"
 #include "libeval/lags.h"
+#include "libtrack/cut.h"
 #include "libtrack/error.h"
 #include "libtrack/read/read.h"
 #include "libtrack/write/write.h"
@@ -107,7 +109,11 @@ ConditionOptions condition_options(const FitArguments& a) {
   return o;
 }
 
+}  // namespace
+
+// What needs an escape is written as a literal string if it can be: CLI11 reads escapes back as they stand.
 std::string quoted(const std::string& text) {
+  if (text.find_first_of("\"\\") != std::string::npos && text.find('\'') == std::string::npos) return "'" + text + "'";
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -122,14 +128,15 @@ std::string quoted(const std::vector<std::string>& texts) {
   return fmt::format("[{}]", fmt::join(parts, ", "));
 }
 
-}  // namespace
-
 Tracks load(const DataArguments& data, const std::string& path) {
   const ReadOptions options = read_options(data);
   // The built-in recording goes through the reader like any other, so that --frames, --fill-gaps and the rest hold for it too.
-  if (path == "demo") return read_tracks_bytes("demo", to_csv(demo_recording()), options);
-  if (path != "-") return read_tracks(path, options);
-  return read_tracks_bytes("standard input", {std::istreambuf_iterator<char>(std::cin), {}}, options);
+  if (path == "-" && cluster().size() > 1)
+    throw InputError("-: standard input reaches only one of several processes; expected a file that all can read");
+  Tracks tracks = path == "demo" ? read_tracks_bytes("demo", to_csv(demo_recording()), options)
+                  : path != "-"  ? read_tracks(path, options)
+                                 : read_tracks_bytes("standard input", {std::istreambuf_iterator<char>(std::cin), {}}, options);
+  return data.kind.empty() ? tracks : of_kind(tracks, kind_named(tracks, data.kind));
 }
 
 std::vector<ModelChoice> parse_models(const std::vector<std::string>& texts) {
@@ -246,6 +253,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   if (a.data.min_confidence >= 0) out.emplace_back("min-confidence", fmt::format("{}", a.data.min_confidence));
   text("frames", a.data.frames);
   text("times", a.data.times);
+  text("kind", a.data.kind);
   positive("fill-gaps", a.data.fill_gaps);
   out.emplace_back("seed", std::to_string(a.common.seed));
   text("protocol", a.protocol);
@@ -276,7 +284,8 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
 }
 
 void use_threads(const Common& common) {
-  if (common.threads > 0) omp_set_num_threads(common.threads);
+  const int threads = common.threads > 0 ? common.threads : cluster().threads();
+  if (threads > 0) omp_set_num_threads(threads);
 }
 
 }  // namespace swarmfit::cli

@@ -30,6 +30,10 @@ CompareOptions compare_options(const FitArguments& arguments);
 // Every flag of the command as used, name and TOML value, for config.toml.
 std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& arguments, const std::vector<ModelChoice>& models);
 
+// A TOML string, and a list of them, for config.toml.
+std::string quoted(const std::string& text);
+std::string quoted(const std::vector<std::string>& texts);
+
 void use_threads(const Common& common);
 
 }  // namespace swarmfit::cli

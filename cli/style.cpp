@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "cli/cluster.h"
+
 namespace swarmfit::cli {
 namespace {
 
@@ -27,7 +29,8 @@ bool utf8_locale() {
 
 TextStyle style() {
   TextStyle out;
-  out.colour = isatty(STDOUT_FILENO) != 0 && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
+  // mpirun shows every process a terminal, wherever the output goes.
+  out.colour = isatty(STDOUT_FILENO) != 0 && !cluster().by_mpi() && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
   out.unicode = utf8_locale();
   return out;
 }

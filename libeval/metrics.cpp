@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "libtrack/cut.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -186,9 +188,21 @@ void require_velocities(const Tracks& tracks, const MetricOptions& options) {
     throw InputError("--velocity recorded: recorded velocities belong to an instant; expected --lags 1");
 }
 
+MetricSamples samples_of_kind(const Tracks& tracks, MetricOptions options) {
+  const std::uint8_t kind = *std::exchange(options.kind, std::nullopt);
+  MetricSamples out = metric_samples(of_kind(tracks, kind), options);
+  std::vector<Index> rows;
+  for (Index row = 0; row < tracks.rows(); ++row)
+    if (tracks.kind(row) == kind) rows.push_back(row);
+  for (auto& begins : out.rows)
+    for (Index& row : begins) row = rows[static_cast<std::size_t>(row)];
+  return out;
+}
+
 }  // namespace
 
 MetricSamples metric_samples(const Tracks& tracks, const MetricOptions& options) {
+  if (options.kind) return samples_of_kind(tracks, options);
   require_velocities(tracks, options);
   MetricSamples out(columns_at(options.lags));
   for (auto& values : out.values) values.reserve(static_cast<std::size_t>(tracks.rows()));

@@ -2,6 +2,8 @@
 // The seven motion metrics of Ren et al. 2016 (Eq 6 ff.), per individual and frame.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,8 +20,9 @@ enum class VelocitySource {
 
 struct MetricOptions {
   VelocitySource velocity = VelocitySource::difference;
-  std::vector<int> lags = {1};  // ascending, each at least 1
-  bool keep_rows = false;       // fill MetricSamples::rows
+  std::vector<int> lags = {1};            // ascending, each at least 1
+  bool keep_rows = false;                 // fill MetricSamples::rows
+  std::optional<std::uint8_t> kind = {};  // of this kind of agent only, as if the others had not been there (of_kind); none: of all
 };
 
 // All defined values of each metric, in row order of the tracks; the order carries no meaning.

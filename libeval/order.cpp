@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "libtrack/cut.h"
+
 namespace swarmfit {
 namespace {
 
@@ -49,7 +51,8 @@ Order order_of(const Tracks& tracks, const FrameRange& frame) {
 
 }  // namespace
 
-OrderSeries order_parameters(const Tracks& tracks) {
+OrderSeries order_parameters(const Tracks& tracks, std::optional<std::uint8_t> kind) {
+  if (kind) return order_parameters(of_kind(tracks, *kind));
   OrderSeries out;
   for (const FrameRange& frame : tracks.frames()) {
     const Order order = order_of(tracks, frame);

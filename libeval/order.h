@@ -2,6 +2,10 @@
 // Order parameters of a group, per frame.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <vector>
+
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
@@ -14,7 +18,8 @@ struct OrderSeries {
   std::vector<double> milling;       // |sum of r̂ × v̂| / n, r from the centroid, in [0, 1]; NaN if fewer than two have both
   std::vector<double> extent;        // root-mean-square distance to the centroid of all in the frame [unit]; NaN for one alone
 };
-OrderSeries order_parameters(const Tracks& tracks);
+// Of one kind of agent only, as if the others had not been there, or of all.
+OrderSeries order_parameters(const Tracks& tracks, std::optional<std::uint8_t> kind = {});
 
 double mean_defined(const std::vector<double>& values);  // mean of the finite values, NaN if there are none
 

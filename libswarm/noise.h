@@ -65,6 +65,9 @@ class NoiseField {
   double lanes_[3][4]{};  // the same by axis, a potential per lane
 };
 
+// What potential() is multiplied by to have the root-mean-square length of curl() or curl2(): 1.72 and 1.00 over 0.27 sqrt(dims).
+inline double potential_as_strong_as_curl(int dims) { return dims == 2 ? 2.62 : 3.68; }
+
 // Three independent numbers, uniform on [-1, 1): variance 1/3 each.
 Eigen::Array3d white_noise(const Rng& rng, std::uint64_t tick, std::uint32_t id, Stream stream = Stream::noise);
 

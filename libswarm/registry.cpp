@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "libswarm/model.h"
+#include "libswarm/model_spec.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -47,12 +47,13 @@ const Option& find_option(const ModelSpec& spec, std::string_view name) {
   throw InputError(fmt::format("model {}: unknown option '{}'; expected {}", spec.name, name, legal));
 }
 
-const ModelSpec& find_model(std::string_view name) {
+const ModelSpec& find_model(std::string_view name, std::span<const ModelSpec> more) {
   Names names;
-  for (const ModelSpec& spec : models()) {
-    if (spec.name == name) return spec;
-    names.push_back(spec.name);
-  }
+  for (const auto known : {models(), more})
+    for (const ModelSpec& spec : known) {
+      if (spec.name == name) return spec;
+      names.push_back(spec.name);
+    }
   throw InputError(fmt::format("model '{}': unknown; expected one of {}", name, fmt::join(names, ", ")));
 }
 
@@ -61,7 +62,7 @@ std::string canonical(const ModelSpec& spec, const Options& options) {
   for (const Option& o : spec.options)
     if (const auto& value = options.find(o.name)->second; value != o.values.front())
       settings.push_back(fmt::format("{}={}", o.name, value));
-  return settings.empty() ? std::string(spec.name) : fmt::format("{}[{}]", spec.name, fmt::join(settings, ","));
+  return settings.empty() ? spec.name : fmt::format("{}[{}]", spec.name, fmt::join(settings, ","));
 }
 
 }  // namespace
@@ -125,11 +126,11 @@ bool ModelSpec::uses(std::size_t p, const Options& given) const {
   return when.empty() || meets(when, given);
 }
 
-bool ModelSpec::is_map(const Options& given) const { return map == "always" || (!map.empty() && meets(map, given)); }
+bool ModelSpec::is_map(const Options& given) const { return fixed_step || map == "always" || (!map.empty() && meets(map, given)); }
 
-ModelChoice parse_model(std::string_view text) {
+ModelChoice parse_model(std::string_view text, std::span<const ModelSpec> more) {
   const std::size_t bracket = text.find('[');
-  const ModelSpec& spec = find_model(text.substr(0, bracket));
+  const ModelSpec& spec = find_model(text.substr(0, bracket), more);
   Options given;
   if (bracket != std::string_view::npos) {
     if (text.back() != ']') throw InputError(fmt::format("model '{}': no closing bracket; expected name[option=value,...]", text));

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "libswarm/simulate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
+#include <tuple>
+
+#include "libtrack/error.h"
 
 namespace swarmfit {
 namespace {
@@ -80,11 +84,13 @@ class Run {
   void advance(double t, double length, std::uint64_t tick, int halvings) {
     if (now_.size() == 0 || lane_.blew_up) return;
     if (now_.own.cols() > 0) next_.own = now_.own;
-    switch (model_.step(now_, next_, lane_.world, context(t, length, tick, halvings))) {
+    StepContext c = context(t, length, tick, halvings);
+    if (model_.update() == Update::sequential) c.order = take_turns(tick);
+    switch (model_.step(now_, next_, lane_.world, c)) {
       case Step::done:
         return accept();
       case Step::halve_dt:
-        assert(halvings > 0);
+        if (halvings == 0) throw InputError(ask_too_much(t));
         ++lane_.count.halved_steps;
         advance(t, length / 2, tick, halvings - 1);
         return advance(t + length / 2, length / 2, tick + (std::uint64_t{1} << (halvings - 1)), halvings - 1);
@@ -94,11 +100,32 @@ class Run {
     }
   }
 
+  // Everybody begins where they are; the order of moves depends on ids, not on rows.
+  std::span<const Index> take_turns(std::uint64_t tick) {
+    next_.pos = now_.pos;
+    next_.vel = now_.vel;
+    turns_.clear();
+    for (Index row = 0; row < now_.size(); ++row) {
+      const std::uint32_t id = now_.id[static_cast<std::size_t>(row)];
+      turns_.push_back({lane_.rng.uniform(Stream::order, tick, id), id, row});
+    }
+    std::sort(turns_.begin(), turns_.end(), [](const Turn& a, const Turn& b) { return std::tie(a.draw, a.id) < std::tie(b.draw, b.id); });
+    order_.clear();
+    for (const Turn& turn : turns_) order_.push_back(turn.row);
+    return order_;
+  }
+
+  std::string ask_too_much(double t) const {
+    return fmt::format(
+        "model {}: asks for half a step at {:g} s, after {} halvings; expected a step as long as it is where it may not halve",
+        model_.name(), t, kHalvings);
+  }
+
   void accept() {
     std::swap(now_.pos, next_.pos);
     std::swap(now_.vel, next_.vel);
     std::swap(now_.own, next_.own);
-    lane_.world.bounds.confine(now_, lane_.world.dims);
+    lane_.world.constrain(next_, now_);
     lane_.count.agent_steps += static_cast<std::uint64_t>(now_.size());
     lane_.blew_up = !sane();
   }
@@ -123,6 +150,13 @@ class Run {
   std::vector<double> p_;
   std::unique_ptr<Workspace> work_;
   Neighbours near_;
+  struct Turn {
+    double draw;
+    std::uint32_t id;
+    Index row;
+  };
+  std::vector<Turn> turns_;  // of sequential models
+  std::vector<Index> order_;
 };
 
 struct CpuBackend : Backend {

@@ -23,9 +23,13 @@ bool fold(double& x, double low, double high) {
   return odd;
 }
 
-void confine_box(const Bounds& b, State& state, int dims) {
+struct RowRange {
+  Index first, end;
+};
+
+void confine_box(const Bounds& b, State& state, int dims, RowRange rows) {
   for (Index axis = 0; axis < dims; ++axis)
-    for (Index i = 0; i < state.size(); ++i) {
+    for (Index i = rows.first; i < rows.end; ++i) {
       double &x = state.pos(i, axis), &v = state.vel(i, axis);
       if (x >= b.lower[axis] && x <= b.upper[axis]) continue;
       if (b.wall == Bounds::Wall::slip) {
@@ -37,11 +41,11 @@ void confine_box(const Bounds& b, State& state, int dims) {
     }
 }
 
-void confine_periodic(const Bounds& b, State& state, int dims) {
+void confine_periodic(const Bounds& b, State& state, int dims, RowRange rows) {
   for (Index axis = 0; axis < dims; ++axis) {
     const double low = b.lower[axis], width = b.upper[axis] - low;
     if (width <= 0) continue;
-    for (Index i = 0; i < state.size(); ++i) {
+    for (Index i = rows.first; i < rows.end; ++i) {
       double& x = state.pos(i, axis);
       if (x >= low && x < b.upper[axis]) continue;
       x -= width * std::floor((x - low) / width);
@@ -50,8 +54,8 @@ void confine_periodic(const Bounds& b, State& state, int dims) {
   }
 }
 
-void confine_sphere(const Bounds& b, State& state, int dims) {
-  for (Index i = 0; i < state.size(); ++i) {
+void confine_sphere(const Bounds& b, State& state, int dims, RowRange rows) {
+  for (Index i = rows.first; i < rows.end; ++i) {
     Eigen::Array3d r = state.pos.row(i).transpose() - b.centre;
     if (dims == 2) r[2] = 0;
     const double d2 = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
@@ -80,18 +84,25 @@ Eigen::Array3d Bounds::separation(const Eigen::Array3d& a, const Eigen::Array3d&
   return d;
 }
 
-void Bounds::confine(State& state, int dims) const {
-  switch (kind) {
-    case Kind::open:
+namespace {
+
+void confine_rows(const Bounds& bounds, State& state, int dims, RowRange rows) {
+  switch (bounds.kind) {
+    case Bounds::Kind::open:
       return;
-    case Kind::box:
-      return confine_box(*this, state, dims);
-    case Kind::periodic:
-      return confine_periodic(*this, state, dims);
-    case Kind::sphere:
-      return confine_sphere(*this, state, dims);
+    case Bounds::Kind::box:
+      return confine_box(bounds, state, dims, rows);
+    case Bounds::Kind::periodic:
+      return confine_periodic(bounds, state, dims, rows);
+    case Bounds::Kind::sphere:
+      return confine_sphere(bounds, state, dims, rows);
   }
 }
+
+}  // namespace
+
+void Bounds::confine(State& state, int dims) const { confine_rows(*this, state, dims, {0, state.size()}); }
+void Bounds::confine(State& state, int dims, Index row) const { confine_rows(*this, state, dims, {row, row + 1}); }
 
 World& World::operator=(const World& other) {
   if (this == &other) return *this;

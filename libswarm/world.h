@@ -27,6 +27,7 @@ struct Bounds {
   Eigen::Array3d separation(const Eigen::Array3d& a, const Eigen::Array3d& b) const;
   // Brings every agent back inside; axes from `dims` on are left alone.
   void confine(State& state, int dims) const;
+  void confine(State& state, int dims, Index row) const;  // one of them
 };
 
 // A moment between two steps: sub-step `sub` (0 .. substeps-1) after frame `frame`.
@@ -48,6 +49,8 @@ struct WorldPart {
   // Called before every step, in the order in which parts were added: may move the part itself, and let agents appear or leave. It may
   // read the other parts, so that a cost field can follow its goals.
   virtual void advance(const Clock&, const World&, State&) {}
+  // Called after every step: walls bring whoever crossed them back. Both states have the same agents in the same rows.
+  virtual void constrain(const World&, const State& /*before*/, State& /*after*/) const {}
 };
 
 class World {
@@ -73,6 +76,12 @@ class World {
 
   void advance(const Clock& clock, State& state) {
     for (const auto& p : parts_) p->advance(clock, *this, state);
+  }
+
+  // Keeps everybody within the bounds and on the right side of all walls, whatever the model knows of them.
+  void constrain(const State& before, State& after) const {
+    bounds.confine(after, dims);
+    for (const auto& p : parts_) p->constrain(*this, before, after);
   }
 
  private:

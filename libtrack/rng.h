@@ -34,7 +34,8 @@ enum class Stream : std::uint32_t {
   surrogate = 20,     // recordings with a property destroyed
   noise_path = 21,    // what noise does to a path within a step, beside what it does to the velocity at its end
   noise_path_2 = 22,  // and a second number of that kind
-  dither = 23         // positions spread over the grid that a file is rounded to
+  dither = 23,        // positions spread over the grid that a file is rounded to
+  order = 24          // who moves when, where agents move one after the other
 };
 
 namespace philox {

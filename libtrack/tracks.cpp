@@ -101,6 +101,11 @@ void Tracks::index_tracks() {
   }
 }
 
+int Tracks::kinds() const {
+  const auto highest = std::max_element(columns_.kind.begin(), columns_.kind.end());
+  return highest == columns_.kind.end() ? 1 : *highest + 1;
+}
+
 std::span<const Index> Tracks::rows_of(std::uint32_t track) const {
   const auto first = static_cast<std::size_t>(track_first_[track]);
   return {by_track_.data() + first, static_cast<std::size_t>(track_first_[track + 1]) - first};

@@ -31,6 +31,7 @@ struct TrackMeta {
   double t0 = 0;     // time of frame number 0 [s]
   std::string unit;  // length unit, as in the file or as given: "mm", "m", "px", ...
   Provenance from;
+  std::vector<std::string> kinds = {};  // what kinds 0, 1, ... are called; may be shorter than there are kinds
 };
 
 // One row per observation, in any order: the raw material of Tracks.
@@ -78,6 +79,7 @@ class Tracks {
   std::span<const std::int64_t> frame() const { return columns_.frame; }
   std::span<const std::int64_t> episodes() const { return columns_.episodes; }
   std::uint8_t kind(Index row) const { return columns_.kind.empty() ? 0 : columns_.kind[static_cast<std::size_t>(row)]; }
+  int kinds() const;  // all of them are less than this; at least 1
   const std::vector<std::string>& names() const { return columns_.names; }
 
   std::span<const FrameRange> frames() const { return frames_; }  // ascending; frames without anybody are absent

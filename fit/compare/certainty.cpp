@@ -133,7 +133,8 @@ std::pair<double, double> interval(double value, const Eigen::VectorXd& draws) {
 }  // namespace
 
 Law law_of(const Objective& objective, const std::vector<double>& parameters, const Rng& root, int recordings) {
-  return objective.singles(parameters, replicate_seeds(root, Stream::law, recordings));
+  const auto jobs = jobs_on(parameters, replicate_seeds(root, Stream::law, recordings));
+  return objective.ensemble().measured<SingleRun>(jobs, "law", [&](const Run& run, std::size_t) { return objective.single(run); });
 }
 
 std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& selections, const Weighting& weighting) {

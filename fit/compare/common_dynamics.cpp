@@ -36,7 +36,7 @@ std::vector<std::string> shared_parameters(const std::vector<ModelChoice>& model
 }
 
 CompareOptions with_common_dynamics(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress,
-                                    Journal* journal) {
+                                    const Runtime& runtime) {
   const ModelSpec* spec = options.models.front().spec;
   for (const ModelChoice& model : options.models)
     if (model.spec != spec)
@@ -52,10 +52,12 @@ CompareOptions with_common_dynamics(const Tracks& recording, const CompareOption
           fmt::format("--common: {} has no parameter of its own to be told apart by; expected one that is searched", model.name));
   CompareOptions alone = options;
   alone.models.resize(1);
-  const Comparison fit = compare(recording, alone, on_progress, journal);
+  const Comparison fit = compare(recording, alone, on_progress, runtime);
   for (const ParameterResult& p : fit.models.front().parameters) {
     if (!holds(common.common, p.name)) continue;
-    std::erase_if(common.requests.bounds, [&](const auto& b) { return b.first == p.name || b.first.ends_with("." + p.name); });
+    const auto of_this = [&](const auto& request) { return request.first == p.name || request.first.ends_with("." + p.name); };
+    std::erase_if(common.requests.bounds, of_this);
+    std::erase_if(common.requests.set, of_this);  // where the search was to start: the fuller name would win
     common.requests.set[p.name] = p.value;
   }
   return common;

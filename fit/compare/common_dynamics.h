@@ -12,6 +12,6 @@ std::vector<std::string> shared_parameters(const std::vector<ModelChoice>& model
 // Fits the first model alone and keeps what it finds for the shared parameters: in the options returned they are set, and no longer
 // searched, in all models. Throws InputError if the models share nothing, or if nothing else is left to compare them by.
 CompareOptions with_common_dynamics(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress = {},
-                                    Journal* journal = nullptr);
+                                    const Runtime& runtime = {});
 
 }  // namespace swarmfit

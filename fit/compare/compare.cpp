@@ -15,6 +15,7 @@
 #include "fit/compare/refute.h"
 #include "fit/compare/sensitivity.h"
 #include "fit/compare/skill_warnings.h"
+#include "fit/experiment/film.h"
 #include "fit/model_fit/calibration.h"
 #include "fit/model_fit/fit_result.h"
 #include "libtrack/cut.h"
@@ -57,10 +58,10 @@ Weighting mean_weighting(const Weighting& searched, Weighting last, int pass) {
 class Calibration {
  public:
   Calibration(const CompareOptions& options, const Conditions& conditions, const Target& target, const std::vector<bool>& used,
-              std::vector<HistoryRow>& history, const OnCompareProgress& on_progress, Journal* journal)
+              std::vector<HistoryRow>& history, const OnCompareProgress& on_progress, const Runtime& runtime, const FinalView& view)
       : options_(options), target_(target), used_(used), on_progress_(on_progress) {
     for (std::size_t m = 0; m < options.models.size(); ++m)
-      searches_.emplace_back(m, options.models[m], conditions, target, options, history, journal);
+      searches_.emplace_back(m, options.models[m], conditions, target, options, history, runtime, view);
   }
 
   // Par-Est, steps 1 to 5.
@@ -71,7 +72,7 @@ class Calibration {
     for (int pass = 1; pass <= passes; ++pass) {
       if (pass > 1) exchange();
       for (std::size_t m = 0; m < searches_.size(); ++m)
-        searches_[m].pass(pass, searched, [&](std::int64_t simulations, double best) { return tell(m, pass, passes, simulations, best); });
+        searches_[m].pass(pass, searched, [&](std::int64_t simulations, double best) { tell(m, pass, passes, simulations, best); });
       if (searches_.size() < 2) break;
       const Weighting next = entropy_weights(energy_table(searches_), used_, {result.resolution.begin(), result.resolution.end()});
       result.weight_history.push_back(weight_step(pass, searched, next, weighting_));
@@ -95,9 +96,9 @@ class Calibration {
         if (&search != &other && search.space().model().spec == other.space().model().spec) search.suggest(other);
   }
 
-  bool tell(std::size_t m, int pass, int passes, std::int64_t simulations, double best) const {
-    return !on_progress_ ||
-           on_progress_({options_.models[m].name, m, searches_.size(), pass, passes, simulations, searches_[m].planned(pass), best});
+  void tell(std::size_t m, int pass, int passes, std::int64_t simulations, double best) const {
+    if (on_progress_)
+      on_progress_({options_.models[m].name, m, searches_.size(), pass, passes, simulations, searches_[m].planned(pass), best});
   }
 
   const CompareOptions& options_;
@@ -128,9 +129,32 @@ void rank(std::vector<FitResult>& models, Laws& laws) {
   for (std::size_t k = 0; k < models.size(); ++k) models[k].rank = std::isfinite(models[k].score) ? static_cast<int>(k) + 1 : 0;
 }
 
+// What is seen of a final replicate beside its score; of the first one also its scales and the film.
+struct View {
+  Judged judged;
+  Scales scales;
+  FilmStrip film;
+};
+auto fields(View& v) { return std::tie(v.judged, v.scales, v.film); }
+
+void fill_views(FitResult& fit, const std::vector<std::string>& views, const Judge& judge, const Tracks& recording) {
+  std::vector<Judged> judged;
+  for (const std::string& bytes : views) {
+    View view = from_bytes<View>(bytes);
+    if (judged.empty()) {
+      fit.film = film_of(std::move(view.film), recording);
+      fit.extent = view.scales.extent;
+      fit.spacing = view.scales.spacing;
+      fit.speed = view.scales.speed;
+    }
+    judged.push_back(std::move(view.judged));
+  }
+  judge.judge(fit, judged);
+}
+
 }  // namespace
 
-Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress, Journal* journal) {
+Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress, const Runtime& runtime) {
   check_requests(options.requests, options.models);
   const Halves parts = options.hold_out ? halves(recording) : Halves{};
   Conditions conditions = make_conditions(options.hold_out ? parts.fitted : recording, options.conditions);
@@ -142,22 +166,25 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.resolution = resolution(conditions, target, options, result.observation.drowned);
   const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
   result.mean_weights = options.mean_weights;
-  Calibration calibration(options, conditions, target, used, result.history, on_progress, journal);
-  calibration.run(result);
-
   PerColumn<bool> clear = result.observation.used;
   for (std::size_t j = 0; j < clear.size(); ++j) clear[j] = clear[j] && !result.observation.drowned[j];
   const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);
   result.film = cut(conditions.recording, span.first, span.last);
-  const Judge judge(conditions, clear, options.seed);
+  const Judge judge(conditions, clear, options.seed, *runtime.executor);
+  const auto view = [&](const Run& run, std::size_t k) {
+    return to_bytes(View{judge.look(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{}});
+  };
+  Calibration calibration(options, conditions, target, used, result.history, on_progress, runtime, view);
+  calibration.run(result);
+
   Laws laws{{}, {}, {}, {options.seed}};
   std::vector<std::vector<Energies>> selections;
   for (std::size_t m = 0; m < options.models.size(); ++m) {
     const auto& search = calibration.searches()[m];
     const auto values = search.space().parameters(search.selected().x);
-    result.models.push_back(fit_result(search, options.models[m], conditions, target, calibration.weighting(), span));
-    judge.judge(result.models.back(), search.objective(), values, search.final_seeds());
-    if (options.posterior) fill_posterior(result.models.back(), search, conditions, target, Rng{options.seed}.derive(Stream::posterior, m));
+    result.models.push_back(fit_result(search, calibration.weighting()));
+    fill_views(result.models.back(), search.selected().views, judge, conditions.recording);
+    if (options.posterior) fill_posterior(result.models.back(), search, Rng{options.seed}.derive(Stream::posterior, m));
     selections.push_back(search.selections());
     laws.of.push_back(law_of(search.objective(), values, {options.seed}, options.laws));
     result.named.push_back(options.models[m].name);
@@ -169,7 +196,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.laws = options.laws;
   result.band = band_of(laws.of.front(), target);
   fill_certainty(result.models, laws, target, calibration.weighting(), options.budget.final_replicates);
-  if (options.hold_out) fill_held_out(result, parts, options, conditions, calibration.weighting());
+  if (options.hold_out) fill_held_out(result, parts, options, conditions, calibration.weighting(), runtime);
   judge.tell(result);
   result.weights = per_column(calibration.weighting().weights);
   result.p1 = per_column(calibration.weighting().p1);

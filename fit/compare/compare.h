@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/experiment/journal.h"
+#include "fit/experiment/ensemble.h"
 #include "fit/model_fit/search_plan.h"
 #include "fit/results/results.h"
 
@@ -35,12 +35,12 @@ struct CompareProgress {
   std::int64_t simulations, planned;  // of this model in this pass, those saved by giving up included; the plan may be cut short
   double best;                        // score with the pass's weights
 };
-// Called after every generation; returning false interrupts.
-using OnCompareProgress = std::function<bool(const CompareProgress&)>;
+// Called after every generation, in the thread that called compare().
+using OnCompareProgress = std::function<void(const CompareProgress&)>;
 
-// Throws Interrupted when on_progress returns false. With a journal, what it holds is not simulated again, and the rest is added to it.
+// Throws Interrupted when the executor was asked to stop. What the checkpoint holds is not simulated again, and the rest is added to it.
 Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress = {},
-                   Journal* journal = nullptr);
+                   const Runtime& runtime = {});
 
 // Every row of the model's parameter table with the fitted values: what Objective and plant() take. Rows that the settings do not use are
 // 0.

@@ -33,7 +33,7 @@ Halves halves(const Tracks& recording) {
 }
 
 void fill_held_out(Comparison& result, const Halves& halves, const CompareOptions& options, const Conditions& fitted,
-                   const Weighting& weighting) {
+                   const Weighting& weighting, const Runtime& runtime) {
   std::vector<FitResult>& models = result.models;
   result.hold_out = {true, halves.fitted.frames().front().number, halves.fitted.frames().back().number,
                      halves.held_out.frames().front().number, halves.held_out.frames().back().number};
@@ -44,10 +44,10 @@ void fill_held_out(Comparison& result, const Halves& halves, const CompareOption
   Laws laws{{}, {}, std::vector<double>(models.size(), 0), {options.seed}};
   for (std::size_t m = 0; m < models.size(); ++m) {
     const ModelChoice& model = choice_of(options, models[m].model);
-    Objective objective(model, conditions, target);
+    Objective objective(model, conditions, target, runtime);
     objective.use_steps(models[m].steps);
     const auto values = parameter_values(model, models[m]);
-    there[m].raw_energies = objective.evaluate(values, seeds).raw;
+    there[m].raw_energies = objective.energies(values, seeds).raw;
     there[m].score = -cost_of(there[m].raw_energies, weighting);
     laws.of.push_back(law_of(objective, values, {options.seed}, options.laws));
   }

@@ -19,6 +19,6 @@ Halves halves(const Tracks& recording);
 // Scores the ranked models of a comparison of the first half on the second, under held_out_conditions(): FitResult::held_out. `fitted` and
 // the weighting are those of the comparison.
 void fill_held_out(Comparison& result, const Halves& halves, const CompareOptions& options, const Conditions& fitted,
-                   const Weighting& weighting);
+                   const Weighting& weighting, const Runtime& runtime = {});
 
 }  // namespace swarmfit

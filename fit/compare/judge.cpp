@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "fit/compare/refute.h"
+#include "fit/experiment/outcome.h"
 #include "libeval/distance.h"
 #include "libeval/leave_one_out.h"
 #include "libeval/surrogate.h"
-#include "libtrack/parallel_for.h"
 
 namespace swarmfit {
 namespace {
@@ -60,11 +60,11 @@ bool suffices(const Estimate& walker, const std::vector<FitResult>& models) {
   return any;
 }
 
-// One replicate as the judge sees it.
-struct Run {
-  PerColumn<double> distance, wasserstein;
-  Panel panel;  // empty if it blew up
+struct Surrogate {
+  PerColumn<double> distance;  // from the recording; NaN where it says nothing
+  PerColumn<Histogram> pooled;
 };
+auto fields(Surrogate& s) { return std::tie(s.distance, s.pooled); }
 
 }  // namespace
 
@@ -74,14 +74,14 @@ struct Judge::Nulls {
   std::vector<PerColumn<Histogram>> of_shifted, of_walked;
 };
 
-Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed)
+Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed, const Executor& executor)
     : conditions_(conditions),
       distance_(conditions.recording, conditions.metrics),
       plan_(panel_plan(conditions.recording)),
       panel_(panel_with_error(conditions.recording, plan_)) {
   facts_.floor = distance_.floor();
   facts_.floor_sd = distance_.floor_sd();
-  const Nulls nulls = measured_nulls({seed});
+  const Nulls nulls = measured_nulls({seed}, executor);
   const auto& columns = distance_.columns();
   facts_.null = facts_.places = PerColumn<double>(columns.size());
   facts_.informative = PerColumn<bool>(columns.size());
@@ -115,28 +115,27 @@ Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uin
     facts_.walker = {scale_.skill(walker.value), scale_.slope() * walker.se};
 }
 
-Judge::Nulls Judge::measured_nulls(const Rng& rng) {
+Judge::Nulls Judge::measured_nulls(const Rng& rng, const Executor& executor) {
   const Tracks& recording = conditions_.recording;
   const auto& columns = distance_.columns();
-  Nulls out;
-  out.shifted.resize(kSurrogates), out.of_shifted.resize(kSurrogates);
-  out.walked.resize(kSurrogates), out.of_walked.resize(kSurrogates);
-  out.placed.resize(kPlaced);
   PerColumn<bool> motion(columns.size()), rest(columns.size());
   for (std::size_t j = 0; j < columns.size(); ++j) motion[j] = columns[j].motion(), rest[j] = !motion[j];
-  parallel_for(2 * kSurrogates + kPlaced, [&](std::size_t all) {
-    const std::size_t kind = all / kSurrogates, k = all % kSurrogates;
-    const Rng own = rng.derive(Stream::surrogate, all);
+  const auto kind_of = [](std::size_t k) { return k / kSurrogates; };
+  auto surrogates = executor.each<Surrogate>(2 * kSurrogates + kPlaced, [&](std::size_t k) {
+    const Rng own = rng.derive(Stream::surrogate, k);
+    const std::size_t kind = kind_of(k);
     const auto blocks = distance_.blocks(kind == 0   ? timeshift(recording, own)
                                          : kind == 1 ? shuffled_walker(recording, own)
                                                      : shuffled_places(recording, own));
-    if (kind == 2) {
-      out.placed[k] = distance_.to(blocks);
-      return;
-    }
-    (kind == 0 ? out.shifted : out.walked)[k] = distance_.to(blocks, kind == 0 ? rest : motion);
-    (kind == 0 ? out.of_shifted : out.of_walked)[k] = HalfDistance::pooled(blocks);
+    if (kind == 2) return Surrogate{distance_.to(blocks), {}};
+    return Surrogate{distance_.to(blocks, kind == 0 ? rest : motion), HalfDistance::pooled(blocks)};
   });
+  Nulls out;
+  for (std::size_t k = 0; k < surrogates.size(); ++k) {
+    const std::size_t kind = kind_of(k);
+    (kind == 0 ? out.shifted : kind == 1 ? out.walked : out.placed).push_back(std::move(surrogates[k].distance));
+    if (kind < 2) (kind == 0 ? out.of_shifted : out.of_walked).push_back(std::move(surrogates[k].pooled));
+  }
   return out;
 }
 
@@ -166,34 +165,33 @@ void Judge::choose_scale(const PerColumn<bool>& wanted) {
   facts_.mean_null = scale_.null;
 }
 
-void Judge::judge(FitResult& fit, const Objective& objective, const std::vector<double>& parameters, std::span<const Rng> seeds) const {
-  std::vector<Run> runs(seeds.size());
+Judged Judge::look(const Run& run) const {
   const auto real = HalfDistance::pooled(distance_.recording());
-  parallel_for(runs.size(), [&](std::size_t i) {
-    Run& run = runs[i];
-    const auto tracks = objective.finished(parameters, seeds[i]);
-    const auto blocks = tracks ? distance_.blocks(*tracks) : distance_.no_blocks();
-    const auto pooled = HalfDistance::pooled(blocks);
-    run.distance = distance_.to(blocks);
-    run.wasserstein = PerColumn<double>(real.size());
-    for (std::size_t j = 0; j < real.size(); ++j) {
-      if (std::isnan(run.distance[j]) && !std::isnan(distance_.floor()[j])) run.distance[j] = 1;
-      run.wasserstein[j] = wasserstein(real[j], pooled[j], distance_.bin_width());
-    }
-    if (tracks) run.panel = panel(*tracks, plan_);
-  });
+  const auto blocks = run.blew_up ? distance_.no_blocks() : distance_.blocks(run.seen);
+  const auto pooled = HalfDistance::pooled(blocks);
+  Judged out{distance_.to(blocks), PerColumn<double>(real.size()), {}};
+  for (std::size_t j = 0; j < real.size(); ++j) {
+    if (std::isnan(out.distance[j]) && !std::isnan(distance_.floor()[j])) out.distance[j] = 1;
+    out.wasserstein[j] = wasserstein(real[j], pooled[j], distance_.bin_width());
+  }
+  if (!run.blew_up) out.panel = panel(run.seen, plan_);
+  return out;
+}
+
+void Judge::judge(FitResult& fit, std::span<const Judged> runs) const {
+  const std::size_t columns = distance_.columns().size();
   std::vector<double> means;
   std::vector<Panel> panels;
-  for (const Run& run : runs) {
+  for (const Judged& run : runs) {
     means.push_back(mean_used(run.distance, facts_.used));
     if (!run.panel.values.empty()) panels.push_back(run.panel);
   }
   const Estimate d = estimate(means);
   fit.skill = {scale_.skill(d.value), scale_.slope() * d.se};
-  fit.total_variation = fit.wasserstein = PerColumn<double>(real.size());
-  for (std::size_t j = 0; j < real.size(); ++j) {
+  fit.total_variation = fit.wasserstein = PerColumn<double>(columns);
+  for (std::size_t j = 0; j < columns; ++j) {
     std::vector<double> distances, shifts;
-    for (const Run& run : runs) distances.push_back(run.distance[j]), shifts.push_back(run.wasserstein[j]);
+    for (const Judged& run : runs) distances.push_back(run.distance[j]), shifts.push_back(run.wasserstein[j]);
     fit.total_variation[j] = estimate(distances).value;
     fit.wasserstein[j] = estimate(shifts).value;
   }

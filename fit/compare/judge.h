@@ -3,11 +3,19 @@
 // much the ranking depends on who was ranked, and whether what was not fitted comes out right.
 #pragma once
 
-#include "fit/experiment/objective.h"
+#include "fit/experiment/ensemble.h"
 #include "fit/results/results.h"
 #include "libeval/skill.h"
 
 namespace swarmfit {
+
+// One replicate as the judge sees it.
+struct Judged {
+  PerColumn<double> distance, wasserstein;  // from the recording: of halves against halves; [sd of the recording]
+  Panel panel;                              // empty if it blew up
+};
+inline auto fields(Panel& p) { return std::tie(p.values, p.vacf); }  // as bytes (fit/store/bytes.h)
+inline auto fields(Judged& j) { return std::tie(j.distance, j.wasserstein, j.panel); }
 
 // Measures the recording and its surrogates once. Holds references, so the conditions must outlive it.
 //
@@ -18,18 +26,20 @@ namespace swarmfit {
 class Judge {
  public:
   // used: columns on which the skill rests. seed: of the surrogates, the same for all models.
-  Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed);
+  Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed, const Executor& executor = threads());
 
-  // Fills skill, total_variation, wasserstein, panel, vacf and refuted_by from runs of these parameters on these seeds. A run that blew up
-  // counts as disjoint, and has no panel.
-  void judge(FitResult& fit, const Objective& objective, const std::vector<double>& parameters, std::span<const Rng> seeds) const;
+  // One run as the judge sees it: disjoint, and without a panel, if it blew up. From any thread.
+  Judged look(const Run& run) const;
+
+  // Fills skill, total_variation, wasserstein, panel, vacf and refuted_by from the runs of one model.
+  void judge(FitResult& fit, std::span<const Judged> runs) const;
 
   // Fills skill, without and panel of a comparison whose models are judged and ranked.
   void tell(Comparison& result) const;
 
  private:
   struct Nulls;
-  Nulls measured_nulls(const Rng& rng);
+  Nulls measured_nulls(const Rng& rng, const Executor& executor);
   bool fits(const PerColumn<bool>& used, SkillNull null);
   void choose_scale(const PerColumn<bool>& wanted);
 

@@ -2,6 +2,9 @@
 // What a page plays: the first frames of a recording, and the same frames of one simulation of every model.
 #pragma once
 
+#include <tuple>
+#include <vector>
+
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
@@ -18,5 +21,18 @@ inline constexpr Index kFilmPoints = 500000;     // at most, in all films of a p
 // frame at least; cut() then makes a film. Every frame is in it: who judges motion by eye wants to see it at its own frame interval, not a
 // quick run through all of it. Empty for tracks without rows.
 FilmSpan film_span(const Tracks& recording, std::size_t films);
+
+// The frames of a span, as bytes can hold them: x, y and z one after the other.
+struct FilmStrip {
+  std::vector<std::uint32_t> track;
+  std::vector<std::int64_t> frame;
+  std::vector<double> pos, vel;
+  std::vector<std::uint8_t> kind;
+};
+inline auto fields(FilmStrip& f) { return std::tie(f.track, f.frame, f.pos, f.vel, f.kind); }
+
+FilmStrip strip_of(const Tracks& tracks, const FilmSpan& span);
+// As tracks of a simulation of this recording.
+Tracks film_of(FilmStrip strip, const Tracks& recording);
 
 }  // namespace swarmfit

@@ -6,47 +6,27 @@
 namespace swarmfit {
 namespace {
 
-void put_all(std::string& to, const Energies& energies) {
-  for (std::size_t j = 0; j < energies.size(); ++j) put(to, energies[j]);
-}
+// `first` and `distributions` are not kept.
+auto kept_fields(Outcome& o) { return std::tie(o.raw, o.guided, o.replicates, o.failed, o.count); }
 
-Energies take_all(Taker& from, std::size_t columns) {
-  Energies out(columns);
-  for (std::size_t j = 0; j < columns; ++j) out[j] = from.take<double>();
-  return out;
-}
-
-std::string encoded(const Outcome& o) {
+std::string encoded(Outcome o) {
   std::string out;
-  put(out, static_cast<std::uint32_t>(o.raw.size()));
-  put(out, static_cast<std::uint32_t>(o.replicates.size()));
-  put(out, o.failed);
-  put(out, o.count);
-  put_all(out, o.raw);
-  put_all(out, o.guided);
-  for (const Energies& e : o.replicates) put_all(out, e);
+  std::apply([&](const auto&... each) { (put(out, each), ...); }, kept_fields(o));
   return out;
 }
 
 std::optional<Outcome> decoded(std::string_view bytes) {
-  Taker from(bytes);
+  ByteReader from(bytes);
   Outcome o;
-  const auto columns = from.take<std::uint32_t>(), replicates = from.take<std::uint32_t>();
-  if ((std::uint64_t{replicates} + 2) * columns * sizeof(double) > bytes.size()) return {};
-  from.take(o.failed);
-  from.take(o.count);
-  o.raw = take_all(from, columns);
-  o.guided = take_all(from, columns);
-  for (std::uint32_t r = 0; r < replicates; ++r) o.replicates.push_back(take_all(from, columns));
+  std::apply([&](auto&... each) { (from.take(each), ...); }, kept_fields(o));
   if (!from.ended()) return {};
   return o;
 }
 
 }  // namespace
 
-std::string Journal::key(const std::string& model, int steps, std::span<const double> parameters, std::span<const Rng> seeds) {
-  std::string bytes = model + '\n';
-  put(bytes, steps);
+std::string Journal::key(const std::string& ensemble, std::span<const double> parameters, std::span<const Rng> seeds) {
+  std::string bytes = ensemble;
   for (const double p : parameters) put(bytes, p);
   bytes += '\n';
   for (const Rng& seed : seeds) put(bytes, seed.seed);

@@ -19,8 +19,8 @@ class Journal {
   // The checkpoint must outlive it.
   explicit Journal(Checkpoint& checkpoint) : checkpoint_(checkpoint) {}
 
-  // Of a model (canonical name), stepped so many times per frame, with these parameters on these seeds.
-  static std::string key(const std::string& model, int steps, std::span<const double> parameters, std::span<const Rng> seeds);
+  // Of an ensemble (Ensemble::identity), with these parameters on these seeds.
+  static std::string key(const std::string& ensemble, std::span<const double> parameters, std::span<const Rng> seeds);
 
   // Without distributions and `first`, which are not kept.
   std::optional<Outcome> find(const std::string& key) const;

@@ -74,6 +74,12 @@ class Camera : public FrameSink {
 
 }  // namespace
 
+void refuse_idle(const char* flag, const Parameter& row, double value) {
+  if (row.needs.empty() || value == 0) return;
+  throw InputError(
+      fmt::format("{0} {1}={2:g}: would do nothing, as there are no {3} here; expected 0, or no {1}", flag, row.name, value, row.needs));
+}
+
 std::vector<double> scene_parameters(const ModelChoice& model, const std::map<std::string, double>& set) {
   std::vector<double> values;
   std::vector<std::string_view> names;
@@ -83,6 +89,7 @@ std::vector<double> scene_parameters(const ModelChoice& model, const std::map<st
     if (row < 0)
       throw InputError(
           fmt::format("--set {}: {} has no such parameter; expected one of {}", name, model.spec->name, fmt::join(names, ", ")));
+    refuse_idle("--set", model.spec->parameters[static_cast<std::size_t>(row)], value);
     values[static_cast<std::size_t>(row)] = value;
   }
   return values;
@@ -108,7 +115,7 @@ Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, co
   plan.frame_dt = options.dt;
   plan.substeps = options.substeps;
   plan.frames = options.warm_up + options.frames;
-  const auto rule = model.spec->make({options.dims, model.options, options.scales, nullptr});
+  const auto rule = make_model(model, {.dims = options.dims, .scales = options.scales, .step = plan.frame_dt / plan.substeps});
   World world;
   world.dims = options.dims;
   world.bounds = options.arena;

@@ -31,7 +31,11 @@ struct PlantOptions {
 // Simulates and films. Ids of tracks are agent numbers. Throws InputError if the simulation blows up.
 Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, const PlantOptions& options);
 
-// The parameter table's defaults for scenes, with some set by name; throws InputError on an unknown name.
+// Throws InputError if a parameter that only acts on a part of the world, which neither scenes nor recordings have, is asked to do
+// something.
+void refuse_idle(const char* flag, const Parameter& row, double value);
+
+// The parameter table's defaults for scenes, with some set by name; throws InputError on an unknown name, or one that would do nothing.
 std::vector<double> scene_parameters(const ModelChoice& model, const std::map<std::string, double>& set);
 
 // The rows of the parameter table that these settings use, with these values, in length units and seconds.

@@ -38,8 +38,8 @@ bool far_off(const Outcome& outcome, const Target& target) {
 }
 
 void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
-                  std::span<const Rng> seeds) {
-  const auto all = [](const std::vector<Outcome>& first) { return std::vector<bool>(first.size(), true); };
+                  std::span<const Rng> seeds, int first, int most) {
+  const auto all = [](const std::vector<Outcome>& heat) { return std::vector<bool>(heat.size(), true); };
   const auto outcomes = [&](int steps) {
     objective.use_steps(steps);
     return objective.race(candidates, seeds, seeds.size(), all);
@@ -49,13 +49,13 @@ void settle_steps(Objective& objective, const Target& target, const std::vector<
       if (!same_energies(coarse[c], fine[c], target)) return false;
     return true;
   };
-  const auto most = [&](const std::vector<Outcome>& found) {
+  const auto limit = [&](const std::vector<Outcome>& found) {
     const bool far = std::all_of(found.begin(), found.end(), [&](const Outcome& o) { return far_off(o, target); });
-    return (far ? kFarSteps : kMostSteps) * objective.stable_steps();
+    return (far ? std::min(kFarSteps, most) : most) * objective.ensemble().stable_steps();
   };
-  int steps = objective.steps();
+  int steps = first;
   auto coarse = outcomes(steps);
-  while (2 * steps <= most(coarse)) {
+  while (2 * steps <= limit(coarse)) {
     auto fine = outcomes(2 * steps);
     if (same(coarse, fine)) break;
     steps *= 2;

@@ -19,12 +19,11 @@ bool same_energies(const Outcome& one, const Outcome& other, const Target& targe
 // Is the mean of its energies above two fifths of the worst? Then no step brings the model to the recording.
 bool far_off(const Outcome& outcome, const Target& target);
 
-// The fewest steps, from as many as the objective has on by doubling, at which one more doubling changes no energy of any of these
-// candidates on these seeds; kMostSteps times as many as are stable at most, kFarSteps where all candidates are far off. The objective is
-// left with them.
+// The fewest steps, from `first` on by doubling, at which one more doubling changes no energy of any of these candidates on these seeds;
+// `most` times as many as are stable at most, kFarSteps times where all candidates are far off. The objective is left with them.
 inline constexpr int kMostSteps = 16;
 inline constexpr int kFarSteps = 4;
 void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
-                  std::span<const Rng> seeds);
+                  std::span<const Rng> seeds, int first, int most = kMostSteps);
 
 }  // namespace swarmfit

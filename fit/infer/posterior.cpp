@@ -9,7 +9,6 @@
 
 #include "fit/infer/ridge.h"
 #include "libeval/robust.h"
-#include "libtrack/parallel_for.h"
 
 namespace swarmfit {
 namespace {
@@ -48,22 +47,22 @@ double squeezed(double t, double lower, double upper) { return lower + (upper - 
 
 PosteriorRound simulate(Bank& bank, const Box& box, const Simulator& simulator, const Rng& rng, std::uint64_t first, int count,
                         Index features) {
-  std::vector<Point> x(static_cast<std::size_t>(count), Point(box.lower.size()));
-  std::vector<std::optional<VectorXd>> out(x.size());
-  parallel_for(x.size(), [&](std::size_t k) {
-    for (Index a = 0; a < x[k].size(); ++a)
-      x[k][a] = box.lower[a] + (box.upper[a] - box.lower[a]) * rng.uniform(Stream::posterior, first + k, static_cast<std::uint32_t>(a));
-    out[k] = simulator(x[k], rng.derive(Stream::posterior, first + k));
-  });
+  std::vector<Draw> draws;
+  for (std::uint64_t k = first; k < first + static_cast<std::uint64_t>(count); ++k) {
+    Draw& draw = draws.emplace_back(Draw{Point(box.lower.size()), rng.derive(Stream::posterior, k)});
+    for (Index a = 0; a < draw.x.size(); ++a)
+      draw.x[a] = box.lower[a] + (box.upper[a] - box.lower[a]) * rng.uniform(Stream::posterior, k, static_cast<std::uint32_t>(a));
+  }
+  auto out = simulator(draws);
   PosteriorRound round;
   round.simulations = count;
   round.volume = box.volume();
-  for (std::size_t k = 0; k < x.size(); ++k) {
+  for (std::size_t k = 0; k < draws.size(); ++k) {
     if (!out[k] || out[k]->size() != features || !out[k]->allFinite()) {
       ++round.blew_up;
       continue;
     }
-    bank.x.push_back(std::move(x[k]));
+    bank.x.push_back(std::move(draws[k].x));
     bank.features.push_back(std::move(*out[k]));
   }
   return round;

@@ -29,9 +29,15 @@ struct Box {
   double volume() const;
 };
 
-// Features of one simulated recording, as many as the observed ones, or nothing if the simulation blew up; one with a feature that is not
-// finite counts as blown up, too. Called by several threads at once; must be a function of its arguments alone and must not throw.
-using Simulator = std::function<std::optional<Eigen::VectorXd>(const Point& x, const Rng& rng)>;
+// A simulation to be made.
+struct Draw {
+  Point x;
+  Rng rng;
+};
+
+// Features of each simulated recording, as many as the observed ones, or nothing if the simulation blew up; one with a feature that is not
+// finite counts as blown up, too. A function of its argument alone.
+using Simulator = std::function<std::vector<std::optional<Eigen::VectorXd>>(const std::vector<Draw>&)>;
 
 struct PosteriorOptions {
   int rounds = 5;

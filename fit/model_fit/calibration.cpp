@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/experiment/time_step.h"
 #include "fit/model_fit/scout.h"
 
 namespace swarmfit {
@@ -26,6 +25,12 @@ std::int64_t candidates(const SearchSize& size, Stream round, int pass) {
   return std::int64_t{size.population} * generations(size, round, pass);
 }
 
+struct FinalRun {
+  ScoredRun scored;
+  std::string view;
+};
+auto fields(FinalRun& r) { return std::tie(r.scored, r.view); }
+
 bool near_any(const Point& x, const std::vector<Evaluated>& chosen, double apart) {
   return std::any_of(chosen.begin(), chosen.end(), [&](const Evaluated& e) { return (e.x - x).cwiseAbs().maxCoeff() < apart; });
 }
@@ -33,14 +38,14 @@ bool near_any(const Point& x, const std::vector<Evaluated>& chosen, double apart
 }  // namespace
 
 ModelSearch::ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target,
-                         const SearchPlan& plan, std::vector<HistoryRow>& history, Journal* journal)
+                         const SearchPlan& plan, std::vector<HistoryRow>& history, const Runtime& runtime, FinalView view)
     : index_(index),
-      conditions_(conditions),
       target_(target),
       plan_(plan),
       space_(model, conditions.scales, plan.requests),
-      objective_(model, conditions, target, journal),
+      objective_(model, conditions, target, runtime),
       history_(history),
+      view_(std::move(view)),
       rng_(Rng{plan.seed}.derive(Stream::search, index)),
       search_(on_seeds(plan, Stream::replicate, plan.budget.search.replicates)),
       selection_(on_seeds(plan, Stream::selection, plan.budget.selection.replicates)),
@@ -59,28 +64,30 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
       try_out({space_.start()}, search_, "search");
       ++evaluations_;
       done = scout_ahead(weighting, on_search);
-      settle(search_, plan_.budget.search.population, weighting);
+      // To find the valleys, rough steps will do; how rough they may be, far from the recording, says little of those it takes near it.
+      settle(search_, plan_.budget.search.population, weighting, objective_.ensemble().stable_steps(), kFarSteps);
     }
     const auto &wide = plan_.budget.search, &narrow = plan_.budget.selection;
     const auto before = evaluations_;
     const Found found = explore(search_, wide, number, "search", weighting, [&](const GenerationReport& report) {
       convergence_.push_back({number, before + report.evaluations, -report.best});
-      return on_search(done + report.evaluations * wide.replicates, -report.best);
+      on_search(done + report.evaluations * wide.replicates, -report.best);
     });
     stop_reason_ = to_string(found.stop);
-    if (number == 1) settle(search_, wide.population, weighting);
+    if (number == 1) settle(search_, wide.population, weighting, objective_.ensemble().stable_steps());
     convergence_.push_back({number, evaluations_, -leaders(search_, weighting, 1, 0.0).front().cost});
     promote(search_, selection_, static_cast<std::size_t>(narrow.population), kLeadersApart, number, "select", weighting);
     search_.suggested.clear();
     done += candidates(wide, search_.stream, number) * wide.replicates;
     // The nearer to the recording, the smaller the differences that count: finer steps may be needed at the end, and then once more.
-    for (bool again = true; again; again = number == 1 && settle(selection_, narrow.population, weighting))
+    for (bool again = true; again; again = number == 1 && settle(selection_, narrow.population, weighting, objective_.ensemble().steps()))
       explore(selection_, narrow, number, "refine", weighting,
-              [&](const GenerationReport& report) { return on_search(done + report.evaluations * narrow.replicates, -report.best); });
+              [&](const GenerationReport& report) { on_search(done + report.evaluations * narrow.replicates, -report.best); });
     promote(selection_, confirmation_, kFinalists, kFinalistsApart, number, "confirm", weighting);
   } else if (confirmation_.archive.empty()) {
-    if (chooses_steps()) settle_steps(objective_, target_, {space_.parameters(Point())}, selection_.seeds);
-    keep(confirmation_, Point(), objective_.evaluate(space_.parameters(Point()), confirmation_.seeds), number, "confirm");
+    if (chooses_steps())
+      settle_steps(objective_, target_, {space_.parameters(Point())}, selection_.seeds, objective_.ensemble().stable_steps());
+    keep(confirmation_, Point(), objective_.energies(space_.parameters(Point()), confirmation_.seeds), number, "confirm");
     evaluations_ = 1;
     stop_reason_ = "nothing to search";
   }
@@ -92,10 +99,8 @@ std::int64_t ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch
   const std::int64_t runs = std::int64_t{size.rounds} * size.simulations;
   if (runs == 0 || (plan_.max_evaluations > 0 && plan_.max_evaluations < kScoutShare * runs)) return 0;
   const double best = -leaders(search_, weighting, 1, 0.0).front().cost;
-  bool on = true;
-  const auto points = scout(space_, objective_, conditions_, target_, rng_.derive(Stream::posterior, 0), size,
-                            [&](std::int64_t simulations) { return on = on_search(simulations, best); });
-  if (!on) throw Interrupted{};
+  const auto points =
+      scout(space_, objective_, rng_.derive(Stream::posterior, 0), size, [&](std::int64_t simulations) { on_search(simulations, best); });
   try_out(points, search_, "search");
   evaluations_ += runs + static_cast<std::int64_t>(points.size());
   simulations_ += runs;
@@ -109,15 +114,15 @@ void ModelSearch::try_out(const std::vector<Point>& points, Round& round, const 
 
 bool ModelSearch::chooses_steps() const { return plan_.conditions.steps == 0 && !space_.model().spec->is_map(space_.model().options); }
 
-// Chooses the time step where the recording is, as far as is known. If it is finer now, the best `most` are simulated again, and the rest
-// of what was simulated in coarser steps is forgotten; candidates count once.
-bool ModelSearch::settle(Round& round, int most, const Weighting& weighting) {
+// Chooses the time step where the recording is, as far as is known. If it is another now, the best `most` are simulated again, and the rest
+// of what was simulated in other steps is forgotten; candidates count once.
+bool ModelSearch::settle(Round& round, int most, const Weighting& weighting, int first, int finest) {
   if (!chooses_steps()) return false;
-  const int before = objective_.steps();
+  const int before = objective_.ensemble().steps();
   std::vector<std::vector<double>> candidates;
   for (const auto& leader : leaders(round, weighting, kSettled, kFinalistsApart)) candidates.push_back(space_.parameters(leader.x));
-  settle_steps(objective_, target_, candidates, selection_.seeds);
-  if (objective_.steps() == before) return false;
+  settle_steps(objective_, target_, candidates, selection_.seeds, first, finest);
+  if (objective_.ensemble().steps() == before) return false;
   std::vector<Point> points;
   for (const auto& leader : leaders(round, weighting, static_cast<std::size_t>(most), 0.0)) points.push_back(leader.x);
   round.archive.clear();
@@ -164,7 +169,7 @@ void ModelSearch::keep(Round& round, const Point& x, const Outcome& outcome, int
 
 // Refinements run side by side and finish in any order; what was seen is kept in the order in which the search lists it.
 Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const char* phase, const Weighting& weighting,
-                           const OnGeneration& on_generation) {
+                           const std::function<void(const GenerationReport&)>& report) {
   SearchOptions options;
   options.genetic.population = size.population;
   options.genetic.generations = generations(size, round.stream, pass);
@@ -178,8 +183,7 @@ Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const
   options.genetic.race = [&](const auto& children, const auto& parents) { return race.against(children, parents); };
   const auto start = leaders(round, weighting, round.archive.size(), 0.0);
   Found found = swarmfit::search(space_.dimensions(), cost, options, rng_.derive(round.stream, static_cast<std::uint64_t>(pass)), start,
-                                 on_generation);
-  if (found.stop == Stop::interrupted) throw Interrupted{};
+                                 [&](const GenerationReport& now) { return report(now), true; });
   for (const auto& e : found.visited) keep(round, e.x, race.seen(e.x), pass, phase);
   evaluations_ += found.evaluations;
   round.recommended = found.recommended.x;
@@ -203,11 +207,26 @@ void ModelSearch::promote(const Round& from, Round& to, std::size_t most, double
   for (std::size_t k = 0; k < points.size(); ++k) keep(to, points[k], outcomes[k], pass, phase);
 }
 
+Selected ModelSearch::on_final_seeds(const Point& x) const {
+  const auto jobs = jobs_on(space_.parameters(x), final_seeds_);
+  auto runs = objective_.ensemble().measured<FinalRun>(jobs, "final", [&](const Run& run, std::size_t k) {
+    return FinalRun{objective_.scored(run), view_ ? view_(run, k) : ""};
+  });
+  Selected out{x, {}, {}};
+  std::vector<ScoredRun> scored;
+  for (FinalRun& run : runs) {
+    scored.push_back(std::move(run.scored));
+    out.views.push_back(std::move(run.view));
+  }
+  out.outcome = objective_.outcome(scored);
+  return out;
+}
+
 void ModelSearch::conclude(int number, const Weighting& weighting) {
   const Point best = leaders(confirmation_, weighting, 1, 0.0, &Archived::raw).front().x;
   if (selected_.outcome.replicates.empty() || (best.size() > 0 && !same(best, selected_.x))) {
+    selected_ = on_final_seeds(best);
     Round report = {Stream::final_seeds, final_seeds_, {}, {}};
-    selected_ = {best, objective_.evaluate(space_.parameters(best), final_seeds_)};
     keep(report, best, selected_.outcome, number, "final");
   }
   selections_.push_back(selected_.outcome.raw);

@@ -2,25 +2,30 @@
 // The search of one model within a comparison: everything it has simulated, and how that is searched further.
 #pragma once
 
+#include "fit/experiment/time_step.h"
 #include "fit/model_fit/race.h"
 #include "fit/model_fit/search_plan.h"
 
 namespace swarmfit {
 
+// What is looked at in the final replicates beside their score; k counts them. As Ensemble::measured wants it, and as bytes.
+using FinalView = std::function<std::string(const Run& run, std::size_t k)>;
+
 // The best parameters of a model under the present weights, judged on fresh seeds.
 struct Selected {
   Point x;
   Outcome outcome;
+  std::vector<std::string> views;  // of every final replicate
 };
 
-// Told the simulations of this pass so far and the best score; returning false interrupts.
-using OnSearch = std::function<bool(std::int64_t simulations, double best)>;
+// Told the simulations of this pass so far and the best score.
+using OnSearch = std::function<void(std::int64_t simulations, double best)>;
 
 class ModelSearch {
  public:
   // All references must outlive the search. `index` is the model's place in the comparison.
   ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target, const SearchPlan& plan,
-              std::vector<HistoryRow>& history, Journal* journal);
+              std::vector<HistoryRow>& history, const Runtime& runtime, FinalView view);
 
   // One calibration pass, in rounds of fewer candidates and more replicates: scouts (the first pass), rescores what is known, searches,
   // searches again about the leaders, confirms the best of those, and reports the winner on seeds that had no part in choosing it.
@@ -46,24 +51,25 @@ class ModelSearch {
   std::int64_t scout_ahead(const Weighting& weighting, const OnSearch& on_search);  // returns its simulations
   void try_out(const std::vector<Point>& points, Round& round, const char* phase);  // in the first pass
   bool chooses_steps() const;
-  bool settle(Round& round, int most, const Weighting& weighting);  // are steps finer now?
+  bool settle(Round& round, int most, const Weighting& weighting, int first, int finest = kMostSteps);  // are steps others now?
   static Round on_seeds(const SearchPlan& plan, Stream stream, int replicates);
   // The best of an archive under these weights, no two nearer than `apart` in the unit cube: by what a search minimises, or by the score.
   static std::vector<Evaluated> leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,
                                         Energies Archived::*by = &Archived::guided);
   void keep(Round& round, const Point& x, const Outcome& outcome, int pass, const char* phase);
   Found explore(Round& round, const SearchSize& size, int pass, const char* phase, const Weighting& weighting,
-                const OnGeneration& on_generation);
+                const std::function<void(const GenerationReport&)>& report);
   void promote(const Round& from, Round& to, std::size_t most, double apart, int pass, const char* phase, const Weighting& weighting);
+  Selected on_final_seeds(const Point& x) const;
   void conclude(int number, const Weighting& weighting);
 
   std::size_t index_;
-  const Conditions& conditions_;
   const Target& target_;
   const SearchPlan& plan_;
   SearchSpace space_;
   Objective objective_;
   std::vector<HistoryRow>& history_;
+  FinalView view_;
   Rng rng_;
   Round search_, selection_, confirmation_;
   std::vector<Rng> final_seeds_;

@@ -6,7 +6,6 @@
 
 #include "fit/experiment/time_step.h"
 #include "fit/model_fit/parameter_posterior.h"
-#include "libtrack/cut.h"
 
 namespace swarmfit {
 namespace {
@@ -60,35 +59,31 @@ void mark_interaction(FitResult& fit, const ModelSpec& spec) {
 
 }  // namespace
 
-FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const Conditions& conditions, const Target& target,
-                     const Weighting& weighting, const FilmSpan& span) {
+FitResult fit_result(const ModelSearch& search, const Weighting& weighting) {
+  const Ensemble& ensemble = search.objective().ensemble();
+  const ModelChoice& model = ensemble.model();
+  const Target& target = search.objective().target();
   FitResult fit;
   fit.model = model.name;
   fit.summary = model.spec->summary;
   fit.citation = model.spec->citation;
   fit.options = {model.options.begin(), model.options.end()};
   const auto& best = search.selected();
-  fit.parameters = search.space().describe(best.x, conditions.recording.meta().unit);
+  fit.parameters = search.space().describe(best.x, ensemble.conditions().recording.meta().unit);
   mark_interaction(fit, *model.spec);
   fill_energies(fit, search, weighting);
   fill_ratios(fit, target);
   const auto values = search.space().parameters(best.x);
   fit.map = model.spec->is_map(model.options);
-  const Outcome halved = search.objective().evaluate(values, search.final_seeds(), 2);
+  const Outcome halved = search.objective().energies(values, search.final_seeds(), 2);
   fit.half_step_energies = halved.raw;
   fit.steps_settled = fit.map || far_off(best.outcome, target) || same_energies(best.outcome, halved, target);
-  const Tracks first = search.objective().simulate(values, search.final_seeds().front());
-  const Scales seen = natural_scales(first);
-  fit.film = cut(first, span.first, span.last);
-  fit.extent = seen.extent;
-  fit.spacing = seen.spacing;
-  fit.speed = seen.speed;
   fit.evaluations = search.evaluations();
   fit.simulations = search.simulations();
   fit.failed_simulations = search.failed();
   fit.failed_final = static_cast<double>(best.outcome.failed) / static_cast<double>(best.outcome.replicates.size());
   fit.stop_reason = search.stop_reason();
-  fit.steps = search.objective().steps();
+  fit.steps = ensemble.steps();
   const auto& count = best.outcome.count;
   fit.infeasible_avoidance =
       count.agent_steps ? static_cast<double>(count.infeasible_avoidance) / static_cast<double>(count.agent_steps) : 0;
@@ -96,9 +91,9 @@ FitResult fit_result(const ModelSearch& search, const ModelChoice& model, const 
   return fit;
 }
 
-void fill_posterior(FitResult& fit, const ModelSearch& search, const Conditions& conditions, const Target& target, const Rng& rng) {
+void fill_posterior(FitResult& fit, const ModelSearch& search, const Rng& rng) {
   if (search.space().dimensions() == 0) return;
-  const ParameterPosterior found = posterior_of(search.space(), search.objective(), conditions, target, rng);
+  const ParameterPosterior found = posterior_of(search.space(), search.objective(), rng);
   for (const ParameterInterval& p : found.parameters) {
     const auto row = std::find_if(fit.parameters.begin(), fit.parameters.end(), [&](const ParameterResult& r) { return r.name == p.name; });
     row->posterior = {p.median, p.lower, p.upper, p.contraction, to_string(p.verdict), p.partner, p.correlation};

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fit/experiment/run_features.h"
+#include "fit/model_fit/feature_runs.h"
 #include "libtrack/cut.h"
 
 namespace swarmfit {
@@ -26,15 +27,12 @@ std::int64_t settling_frames(const Conditions& conditions) {
   return std::min(wanted, static_cast<std::int64_t>(kAtMost * static_cast<double>(conditions.frames)));
 }
 
-ParameterPosterior posterior_of(const SearchSpace& space, const Objective& objective, const Conditions& conditions, const Target& target,
-                                const Rng& rng, const PosteriorOptions& options) {
-  const RunFeatures features(conditions, target);
+ParameterPosterior posterior_of(const SearchSpace& space, const Objective& objective, const Rng& rng, const PosteriorOptions& options) {
+  const Conditions& conditions = objective.ensemble().conditions();
+  const RunFeatures features(conditions, objective.target());
   const std::int64_t start = conditions.first_frame + settling_frames(conditions);
-  const auto settled = [&](const Tracks& tracks) { return features(cut(tracks, start, std::numeric_limits<std::int64_t>::max())); };
-  const auto run = [&](const Point& x, const Rng& seed) -> std::optional<Eigen::VectorXd> {
-    const auto seen = objective.finished(space.parameters(x), seed);
-    return seen && seen->rows() > 0 ? std::optional(settled(*seen)) : std::nullopt;
-  };
+  const Features settled = [&](const Tracks& tracks) { return features(cut(tracks, start, std::numeric_limits<std::int64_t>::max())); };
+  const Simulator run = feature_runs(space, objective.ensemble(), "posterior", settled);
   ParameterPosterior out{posterior(settled(conditions.recording), space.dimensions(), run, rng, options), {}};
   const auto& marginals = out.posterior.marginals;
   Point lower(space.dimensions()), median = lower, upper = lower;

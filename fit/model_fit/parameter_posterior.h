@@ -21,6 +21,9 @@ struct ParameterInterval {
   std::string partner;  // the parameter with the strongest correlation, and that, on the search's axes; "": there is no other
   double correlation = 0;
 };
+inline auto fields(ParameterInterval& p) {  // as bytes (fit/store/bytes.h)
+  return std::tie(p.row, p.name, p.median, p.lower, p.upper, p.contraction, p.verdict, p.partner, p.correlation);
+}
 
 // Root and logarithmic axes spread out what is next to nothing. An interval that keeps away from its bounds there, but not in physical
 // units, is one-sided, too.
@@ -39,7 +42,6 @@ std::int64_t settling_frames(const Conditions& conditions);
 // The posterior of the model's searched parameters under a prior that is uniform on the search's axes, between its bounds. Every
 // simulation is of one recording with the same individuals and frames, so that it scatters as recordings do. Runs in parallel; a function
 // of its arguments, whatever the number of threads.
-ParameterPosterior posterior_of(const SearchSpace& space, const Objective& objective, const Conditions& conditions, const Target& target,
-                                const Rng& rng, const PosteriorOptions& options = {});
+ParameterPosterior posterior_of(const SearchSpace& space, const Objective& objective, const Rng& rng, const PosteriorOptions& options = {});
 
 }  // namespace swarmfit

@@ -57,7 +57,6 @@ Race::Costs Race::known(const Point& x) const {
 
 std::vector<double> Race::remember(const std::vector<Point>& points, std::vector<Outcome>& outcomes) {
   std::vector<double> costs;
-  const std::lock_guard guard(lock_);
   for (std::size_t k = 0; k < points.size(); ++k) {
     costs.push_back(round_.complete(outcomes[k]) ? cost_of(outcomes[k].guided, weighting_) : std::numeric_limits<double>::infinity());
     seen_.insert_or_assign(points[k], std::move(outcomes[k]));

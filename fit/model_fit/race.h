@@ -3,7 +3,6 @@
 #pragma once
 
 #include <map>
-#include <mutex>
 
 #include "fit/experiment/objective.h"
 #include "fit/model_fit/search_space.h"
@@ -41,8 +40,8 @@ class Race {
  public:
   Race(const Round& round, const SearchSpace& space, const Objective& objective, const Weighting& weighting);
 
-  std::vector<double> cost(const std::vector<Point>& points);  // may be called from several threads at once
-  // +inf: given up. Parents are in the round's archive or were seen here. One call at a time.
+  std::vector<double> cost(const std::vector<Point>& points);
+  // +inf: given up. Parents are in the round's archive or were seen here.
   std::vector<double> against(const std::vector<Point>& children, const std::vector<Point>& parents);
 
   const Outcome& seen(const Point& x) const { return seen_.at(x); }  // without distributions
@@ -65,7 +64,6 @@ class Race {
   Screening screening_;
   std::map<Point, Costs, Lexicographic> archived_;
   std::map<Point, Outcome, Lexicographic> seen_;
-  std::mutex lock_;
 };
 
 }  // namespace swarmfit

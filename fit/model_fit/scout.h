@@ -10,14 +10,14 @@
 
 namespace swarmfit {
 
-// Told how many simulations are done; returning false ends it. One call at a time, from any thread.
-using OnScout = std::function<bool(std::int64_t simulations)>;
+// Told after every round how many simulations are done.
+using OnScout = std::function<void(std::int64_t simulations)>;
 
 // The median of an approximate posterior (fit/infer/posterior.h), first, and some of its sample; nothing if next to no simulation ended
-// well, or on_scout ended it. Searches of histogram distances see only how far off they are; regressions on what accelerations go with see
+// well. Searches of histogram distances see only how far off they are; regressions on what accelerations go with see
 // in which direction, as gradient matching does, and unlike it not biased by localisation error, since simulations carry the same. All
 // frames count: a start need not be unbiased.
-std::vector<Point> scout(const SearchSpace& space, const Objective& objective, const Conditions& conditions, const Target& target,
-                         const Rng& rng, const ScoutSize& size, const OnScout& on_scout);
+std::vector<Point> scout(const SearchSpace& space, const Objective& objective, const Rng& rng, const ScoutSize& size,
+                         const OnScout& on_scout = {});
 
 }  // namespace swarmfit

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fit/experiment/conditions.h"
+#include "fit/experiment/executor.h"
 #include "fit/model_fit/search_space.h"
 #include "fit/results/results.h"
 
@@ -14,9 +15,6 @@ namespace swarmfit {
 // "quick", "default" or "thorough"; throws InputError naming them.
 Budget budget_named(const std::string& name);
 std::span<const Budget> budgets();
-
-// Thrown by whatever a callback has asked to stop.
-struct Interrupted {};
 
 struct SearchPlan {
   ParameterRequests requests;

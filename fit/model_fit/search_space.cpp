@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/experiment/plant.h"
+#include "fit/results/axis_scale.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -90,6 +92,7 @@ void SearchSpace::apply(const ModelChoice& model, const ParameterRequests& reque
     const auto* bounds = find_request(requests.bounds, model, table[p].name);
     if (value) {
       check_legal("--set", table[p], *value);
+      refuse_idle("--set", table[p], *value);
       base_[p] = *value;
     }
     if (value || find_request(requests.fix, model, table[p].name)) search(p, false);
@@ -100,6 +103,7 @@ void SearchSpace::apply(const ModelChoice& model, const ParameterRequests& reque
     for (const double end : {lower, upper})
       if (!(table[p].log && end == 0))
         check_legal("--bounds", table[p], end);  // a lower bound of zero makes a logarithmic axis another one
+    refuse_idle("--bounds", table[p], upper);
     axes_[p].lower = lower;
     axes_[p].upper = upper;
     axes_[p].log = table[p].log && lower > 0;  // a zero lower bound is never log-scaled
@@ -108,18 +112,13 @@ void SearchSpace::apply(const ModelChoice& model, const ParameterRequests& reque
   }
 }
 
-// A zero lower bound cannot be logarithmic. On a linear axis whatever is an order of magnitude below the upper bound would be crowded into
-// a tenth of it: strengths are searched by their square roots (docs/search.md).
 double SearchSpace::Axis::value(double u) const {
-  const double v = log ? lower * std::exp(u * std::log(upper / lower)) : lower + (lower == 0 ? u * u : u) * (upper - lower);
-  const double inside = std::clamp(v, lower, upper);
+  const double inside = std::clamp(value_at(scale_of(log, lower), lower, upper, u), lower, upper);
   return integer ? std::round(inside) : inside;
 }
 
 double SearchSpace::Axis::coordinate(double value) const {
-  const double inside = std::clamp(value, lower, upper), share = (inside - lower) / (upper - lower);
-  const double u = log ? std::log(inside / lower) / std::log(upper / lower) : lower == 0 ? std::sqrt(share) : share;
-  return std::clamp(u, 0.0, 1.0);
+  return std::clamp(place_on(scale_of(log, lower), lower, upper, std::clamp(value, lower, upper)), 0.0, 1.0);
 }
 
 std::vector<double> SearchSpace::parameters(const Point& x) const {

@@ -82,18 +82,16 @@ SearchResult genetic_search(int dimensions, const BatchCost& cost, const Genetic
                             const std::vector<Evaluated>& start = {}, const OnGeneration& on_generation = {});
 
 struct RefineOptions {
-  int starts = 2;           // how many of the best are refined, in parallel
+  int starts = 2;           // how many of the best are refined, side by side
   int evaluations = 100;    // per start, hard limit
   double step = 0.05;       // size of the first simplex
   double tolerance = 1e-6;  // on x
 };
 
-// The cost of one point; called from several threads at once.
-using PointCost = std::function<double(const Point&)>;
-
 // Nelder–Mead inside the cube (nlopt LN_NELDERMEAD: Box 1965 at the bounds). `starts` ascending in cost; the result holds the refined and
-// the others, and is never worse than the starts. An exception of `cost` is passed on.
-SearchResult refine(const std::vector<Evaluated>& starts, const PointCost& cost, const RefineOptions& options);
+// the others, and is never worse than the starts. Every batch holds the next point of each simplex that has not ended. An exception of
+// `cost` is passed on.
+SearchResult refine(const std::vector<Evaluated>& starts, const BatchCost& cost, const RefineOptions& options);
 
 struct SearchOptions {
   GeneticOptions genetic;     // its planned evaluations or max_evaluations, whichever is less, is the budget of everything
@@ -109,8 +107,7 @@ struct Found : SearchResult {
   double roughness = 0;   // standard deviation of the costs about a smooth surface near the best; 0: smooth, or too few points to tell
 };
 
-// genetic_search, then refine, then one evaluation of the response surface's minimum; never more evaluations than the budget. The
-// refinement calls `cost` with single points from several threads at once.
+// genetic_search, then refine, then one evaluation of the response surface's minimum; never more evaluations than the budget.
 // Candidates of final comparisons on fresh random numbers: `recommended` and the first of `best`.
 Found search(int dimensions, const BatchCost& cost, const SearchOptions& options, const Rng& rng, const std::vector<Evaluated>& start = {},
              const OnGeneration& on_generation = {});

@@ -71,8 +71,7 @@ Found search(int dimensions, const BatchCost& cost, const SearchOptions& options
     refinement.starts = std::clamp(refinement.starts, 1, static_cast<int>(found.best.size()));
     refinement.evaluations = static_cast<int>((budget - found.evaluations - 1) / refinement.starts);
     if (refinement.evaluations > 0) {
-      SearchResult refined = refine(
-          found.best, [&](const Point& x) { return cost_of_one(cost, x); }, refinement);
+      SearchResult refined = refine(found.best, cost, refinement);
       found.evaluations += refined.evaluations;
       found.visited.insert(found.visited.end(), refined.visited.begin(), refined.visited.end());
       found.best = std::move(refined.best);

@@ -26,6 +26,13 @@ std::string_view line(std::string_view& text) {
   return out;
 }
 
+// The lines at the top that say whose it is; empty if they are not there.
+std::string_view head_of(std::string_view bytes) {
+  std::size_t end = 0;
+  for (int k = 0; k < 4 && end != bytes.npos; ++k) end = bytes.find('\n', end + (k > 0));
+  return bytes.starts_with(kMagic) && end != bytes.npos ? bytes.substr(0, end + 1) : std::string_view();
+}
+
 // Of whose run is it? Throws unless of this one.
 void require_same_run(const std::string& path, std::string_view bytes, const RunIdentity& run) {
   const auto refuse = [&](std::string_view what) {
@@ -50,12 +57,41 @@ Checkpoint::Checkpoint(std::string path, const RunIdentity& run) : path_(std::mo
   const std::string bytes = read_file(path_);
   require_same_run(path_, bytes, run);
   file_.emplace(path_);
-  read(std::string_view(bytes).substr(head_.size()));
+  const std::size_t good = head_.size() + read(std::string_view(bytes).substr(head_.size()), seal_);
+  if (good < bytes.size()) file_->truncate(good);
 }
 
-// Whole records up to the first that is not; the file is cut there.
-void Checkpoint::read(std::string_view records) {
-  Taker from(records);
+Checkpoint::Checkpoint(const std::string& path, const RunIdentity& run, std::string_view bytes)
+    : path_(path), head_(head(run)), written_(false), seal_(sha256_hex(head_)) {
+  if (bytes.empty()) return;
+  require_same_run(path, bytes, run);
+  read(bytes.substr(head_.size()), seal_);
+}
+
+Checkpoint Checkpoint::copy_of(std::string_view bytes, const std::string& path, const RunIdentity& run) { return {path, run, bytes}; }
+
+void Checkpoint::merge(std::span<const std::string> paths, const std::string& to) {
+  Checkpoint all(to, {}, std::string_view());
+  all.written_ = true;
+  all.prepare_ = [] {};
+  for (const std::string& path : paths) {
+    const std::string bytes = read_file(path);
+    const std::string_view head = head_of(bytes);
+    if (head.empty()) throw InputError(path + ": is no checkpoint, or its head is damaged; expected that of a part");
+    if (path == paths.front()) all.head_ = head;
+    if (all.head_ != head)
+      throw InputError(fmt::format("{}: belongs to another study than {}; expected parts of one, with the same settings", path, paths.front()));
+    all.read(std::string_view(bytes).substr(head.size()), sha256_hex(head));
+  }
+  all.seal_ = sha256_hex(all.head_);
+  const std::vector<Record> records(all.kept_.begin(), all.kept_.end());
+  all.add(records);
+}
+
+// Whole records up to the first that is not.
+std::size_t Checkpoint::read(std::string_view records, const std::string& first_seal) {
+  seal_ = first_seal;
+  ByteReader from(records);
   std::size_t good = 0;
   while (!from.empty()) {
     const auto size = from.take<std::uint32_t>();
@@ -66,7 +102,7 @@ void Checkpoint::read(std::string_view records) {
     kept_.insert_or_assign(std::string(payload.substr(0, kDigest)), std::string(payload.substr(kDigest)));
     good += sizeof size + payload.size() + seal.size();
   }
-  if (good < records.size()) file_->truncate(head_.size() + good);
+  return good;
 }
 
 std::optional<std::string> Checkpoint::find(const std::string& key) const {
@@ -76,6 +112,7 @@ std::optional<std::string> Checkpoint::find(const std::string& key) const {
 }
 
 void Checkpoint::add(std::span<const Record> records) {
+  if (!written_) return;
   const std::lock_guard guard(lock_);
   std::string bytes;
   for (const auto& [key, value] : records) {

@@ -36,6 +36,13 @@ class Checkpoint {
   // Takes up the one at `path`. Throws InputError if there is none, if it belongs to another run, or if its head is damaged.
   Checkpoint(std::string path, const RunIdentity& run);
 
+  // What the one with these bytes holds, in memory only: for processes that share a run whose checkpoint another one writes. No bytes: as a
+  // new one. Throws as the one above, naming `path`.
+  static Checkpoint copy_of(std::string_view bytes, const std::string& path, const RunIdentity& run);
+
+  // A new one at `to`, with all that these hold. Throws InputError if one is damaged at its head or belongs to another run than the first.
+  static void merge(std::span<const std::string> paths, const std::string& to);
+
   // Of what was there when it was taken up; a run does not ask twice, and need not have in memory what it adds.
   std::optional<std::string> find(const std::string& key) const;
   // Throws RunError when the disk is full; what was added before stays good.
@@ -44,9 +51,11 @@ class Checkpoint {
   std::size_t size() const;
 
  private:
-  void read(std::string_view records);
+  Checkpoint(const std::string& path, const RunIdentity& run, std::string_view bytes);
+  std::size_t read(std::string_view records, const std::string& first_seal);  // that of their head; returns how many bytes were good
 
   std::string path_, head_;
+  bool written_ = true;  // to disk
   std::function<void()> prepare_;
   std::map<std::string, std::string, std::less<>> kept_;
   std::string seal_;  // of the last record

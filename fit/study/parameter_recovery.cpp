@@ -28,7 +28,7 @@ bool reachable(const SearchSpace& space, const std::vector<double>& truth) {
 
 // Nothing if this recording carries no fit, or its fit would not search where the truth lies: bounds are in the recording's scales.
 std::optional<ParameterCase> one_case(const RecoveryOptions& options, const CompareOptions& compare, const std::vector<double>& truth,
-                                      std::uint64_t seed) {
+                                      std::uint64_t seed, const Runtime& runtime) {
   const ModelChoice& model = options.planted.front();
   const Tracks recording = planted_recording(model, truth, options.film, options.scales, seed);
   Conditions conditions;
@@ -41,10 +41,11 @@ std::optional<ParameterCase> one_case(const RecoveryOptions& options, const Comp
   const SearchSpace space(model, conditions.scales, compare.requests);
   if (!reachable(space, truth)) return {};
   const Target target(recorded_samples(conditions.recording, conditions.metrics), compare.binning);
-  Objective objective(model, conditions, target);
+  Objective objective(model, conditions, target, runtime);
   if (compare.conditions.steps == 0 && !model.spec->is_map(model.options))
-    settle_steps(objective, target, {truth}, replicate_seeds({seed}, Stream::selection, compare.budget.selection.replicates));
-  const auto found = posterior_of(space, objective, conditions, target, Rng{seed}.derive(Stream::posterior, 0));
+    settle_steps(objective, target, {truth}, replicate_seeds({seed}, Stream::selection, compare.budget.selection.replicates),
+                 objective.ensemble().stable_steps());
+  const auto found = posterior_of(space, objective, Rng{seed}.derive(Stream::posterior, 0));
   ParameterCase out{seed, {}, found.parameters, {}, {}, {}};
   const Point place = space.point(truth);
   for (std::size_t k = 0; k < space.searched().size(); ++k) {
@@ -80,38 +81,6 @@ ParameterCoverage coverage(const std::vector<ParameterCase>& cases, std::size_t 
 
 }  // namespace
 
-void put(std::string& to, const ParameterCase& one) {
-  put(to, one.seed);
-  put(to, one.truth);
-  put(to, static_cast<std::uint32_t>(one.found.size()));
-  for (const ParameterInterval& p : one.found) {
-    put(to, p.row);
-    put(to, p.name);
-    for (const double value : {p.median, p.lower, p.upper, p.contraction, p.correlation}) put(to, value);
-    put(to, p.verdict);
-    put(to, p.partner);
-  }
-  put(to, one.truth_place);
-  put(to, one.median_place);
-  put(to, one.width);
-}
-
-void take(Taker& from, ParameterCase& one) {
-  from.take(one.seed);
-  from.take(one.truth);
-  for (auto count = from.take<std::uint32_t>(); count > 0 && from.whole(); --count) {
-    ParameterInterval& p = one.found.emplace_back();
-    from.take(p.row);
-    from.take(p.name);
-    for (double* value : {&p.median, &p.lower, &p.upper, &p.contraction, &p.correlation}) from.take(*value);
-    from.take(p.verdict);
-    from.take(p.partner);
-  }
-  from.take(one.truth_place);
-  from.take(one.median_place);
-  from.take(one.width);
-}
-
 std::pair<int, int> coverage_band(int n, int tests) {
   using Upwards = boost::math::policies::policy<boost::math::policies::discrete_quantile<boost::math::policies::integer_round_up>>;
   const boost::math::binomial_distribution<double, Upwards> law(n, 0.95);
@@ -119,21 +88,25 @@ std::pair<int, int> coverage_band(int n, int tests) {
   return {static_cast<int>(quantile(law, tail)), static_cast<int>(quantile(law, 1 - tail))};
 }
 
-ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case, Checkpoint* checkpoint) {
+ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case, const Runtime& runtime,
+                                     const Part& part) {
   const ModelChoice& model = options.planted.front();
   const CompareOptions compare = with_shared_constants(options.compare, options.scales);
   const SearchSpace prior(model, options.scales, compare.requests);
   ParameterRecovery out{model.name, {}, {}, 0, 0, 0};
   for (std::uint64_t seed = options.compare.seed; static_cast<int>(out.cases.size()) < options.seeds; ++seed) {
+    const std::uint64_t number = seed - options.compare.seed;
+    if (part.of > 1 && number == static_cast<std::uint64_t>(options.seeds)) break;
+    if (!part.has(number)) continue;
     Point x(prior.dimensions());
     for (Eigen::Index a = 0; a < x.size(); ++a)
       x[a] = 0.5 + kMiddle * (Rng{seed}.uniform(Stream::probe, 0, static_cast<std::uint32_t>(a)) - 0.5);
-    if (auto one = kept<ParameterCase>(checkpoint, fmt::format("case {}", seed),
-                                       [&] { return one_case(options, compare, prior.parameters(x), seed); }))
+    if (auto one = kept<ParameterCase>(runtime.checkpoint, fmt::format("case {}", seed),
+                                       [&] { return one_case(options, compare, prior.parameters(x), seed, {runtime.executor}); }))
       out.cases.push_back(std::move(*one));
     else if (++out.left_out > kMostTries * options.seeds)
       break;
-    if (on_case && !on_case(out.cases.size())) throw Interrupted{};
+    if (on_case) on_case(out.cases.size());
   }
   for (std::size_t k = 0; !out.cases.empty() && k < prior.searched().size(); ++k) out.parameters.push_back(coverage(out.cases, k));
   const int tests = std::max<int>(1, static_cast<int>(out.parameters.size()));

@@ -14,6 +14,9 @@ struct ParameterCase {
   std::vector<ParameterInterval> found;
   std::vector<double> truth_place, median_place, width;  // on the axes of the search, 0 .. 1: true value, posterior median, 95 % interval
 };
+inline auto fields(ParameterCase& c) {  // as bytes (fit/store/bytes.h)
+  return std::tie(c.seed, c.truth, c.found, c.truth_place, c.median_place, c.width);
+}
 
 // One parameter over all recordings; biases and errors on the axis of the search, as a share of its range.
 struct ParameterCoverage {
@@ -32,15 +35,13 @@ struct ParameterRecovery {
       most;  // covered of so many recordings by intervals that hold the truth 95 times in 100: central 99 % of the binomial, Bonferroni
 };
 
-using OnParameterCase = std::function<bool(std::size_t done)>;  // returning false interrupts (Interrupted is thrown)
+using OnParameterCase = std::function<void(std::size_t done)>;
 
 // options.planted is one model; options.spread is not used: true values are drawn evenly from the central 90 % of the search's axes, of
-// which the intervals' prior is the whole. Draws until options.seeds recordings carry a fit, or ten times as many have not.
-ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case = {}, Checkpoint* checkpoint = nullptr);
-
-// A case as bytes (fit/store/kept.h).
-void put(std::string& to, const ParameterCase& one);
-void take(Taker& from, ParameterCase& one);
+// which the intervals' prior is the whole. Draws until options.seeds recordings carry a fit, or ten times as many have not;
+// a part only from the first options.seeds draws.
+ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case = {}, const Runtime& runtime = {},
+                                     const Part& part = {});
 
 // Central 99 % of a binomial of n at 0.95, shared among `tests`: least and most.
 std::pair<int, int> coverage_band(int n, int tests);

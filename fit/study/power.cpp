@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/experiment/objective.h"
+#include "fit/experiment/ensemble.h"
 #include "fit/store/kept.h"
 #include "libeval/lags.h"
 
@@ -63,27 +63,24 @@ std::vector<PowerPair> power_pairs(const Recovery& recovery) {
 
 Power power(const Tracks& recording, const PowerOptions& options, const OnPower& on_power, const StudyHooks& hooks) {
   const std::size_t all = 1 + options.compare.models.size() * static_cast<std::size_t>(options.seeds);
-  std::size_t done = 0;
+  std::size_t done = 0, number = 0;
   const auto tell = [&] {
-    if (on_power && !on_power(done++, all)) throw Interrupted{};
+    if (on_power) on_power(done++, all);
   };
   tell();
   Power out;
-  std::optional<Journal> journal;
-  if (hooks.checkpoint) journal.emplace(*hooks.checkpoint);
-  out.fitted = compare(recording, options.compare, hooks.on_progress, journal ? &*journal : nullptr);
+  out.fitted = compare(recording, options.compare, hooks.on_progress, hooks.runtime);
   const Comparison& fitted = out.fitted;
   tell();
   ConditionOptions as_filmed = options.compare.conditions;
   as_filmed.smoothing = 0;  // what is filmed is smoothed when it is compared
   const Conditions conditions = make_conditions(recording, as_filmed);
-  const Target target(recorded_samples(conditions.recording, conditions.metrics), options.compare.binning);
   CompareOptions again = with_constants_of(fitted, options.compare);
   for (std::size_t m = 0; m < options.compare.models.size(); ++m) {
     const ModelChoice& model = options.compare.models[m];
     const FitResult& fit = result_of(fitted, model.name);
-    Objective objective(model, conditions, target);
-    objective.use_steps(fit.steps);
+    Ensemble ensemble(model, conditions);
+    ensemble.use_steps(fit.steps);
     const auto parameters = parameter_values(model, fit);
     out.recovery.planted.push_back(model.name);
     out.recovery.compared = fitted.named;
@@ -91,10 +88,12 @@ Power power(const Tracks& recording, const PowerOptions& options, const OnPower&
     out.recovery.confusion.emplace_back(options.compare.models.size(), 0);
     for (int k = 1; k <= options.seeds; ++k) {
       again.seed = options.compare.seed + static_cast<std::uint64_t>(k);
-      auto one = kept<RecoveryCase>(hooks.checkpoint, fmt::format("case {} {}", model.name, again.seed), [&] {
-        const auto film = objective.finished(parameters, Rng{again.seed}.derive(Stream::law, m));
-        return film ? std::optional(recovery_case(m, model.name, again.seed, parameters, compare(*film, again, hooks.on_progress)))
-                    : std::nullopt;
+      if (!hooks.part.has(number++)) continue;
+      auto one = kept<RecoveryCase>(hooks.runtime.checkpoint, fmt::format("case {} {}", model.name, again.seed), [&] {
+        const Run film = ensemble.run({parameters, Rng{again.seed}.derive(Stream::law, m)});
+        if (film.blew_up) return std::optional<RecoveryCase>();
+        return std::optional(
+            recovery_case(m, model.name, again.seed, parameters, compare(film.seen, again, hooks.on_progress, {hooks.runtime.executor})));
       });
       if (one) add_case(out.recovery, std::move(*one));
       tell();

@@ -31,8 +31,8 @@ struct Power {
   Comparison fitted;  // of the recording itself, whose parameters were planted
 };
 
-// Told what was done: 0 of 1 + models × seeds comparisons and so on; returning false interrupts (Interrupted is thrown).
-using OnPower = std::function<bool(std::size_t done, std::size_t all)>;
+// Told what was done: 0 of 1 + models × seeds comparisons and so on.
+using OnPower = std::function<void(std::size_t done, std::size_t all)>;
 
 // Fits every model to the recording, lets each make recordings with these parameters under the recording's own conditions (frames,
 // individuals, gaps, localisation error, start), and compares all models on each. Parameters that are not fitted, and time steps, are those

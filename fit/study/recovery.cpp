@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "fit/store/kept.h"
 #include "libswarm/simulate.h"
@@ -16,12 +15,6 @@ namespace {
 
 constexpr double kWarmUp = 2;   // in units of L / V
 constexpr int kFilmSteps = 10;  // per frame: animals do not move once per frame, nor as finely as their model is stepped in fits
-
-// Of a case, in the order in which they are kept.
-auto fields(auto& one) {
-  return std::tie(one.planted, one.seed, one.parameters, one.order, one.scores, one.score_se, one.group, one.goodness_p,
-                  one.rank_of_planted);
-}
 
 }  // namespace
 
@@ -37,14 +30,6 @@ RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::ui
     if (fit.model == name) out.rank_of_planted = fit.rank;
   }
   return out;
-}
-
-void put(std::string& to, const RecoveryCase& one) {
-  std::apply([&](const auto&... field) { (put(to, field), ...); }, fields(one));
-}
-
-void take(Taker& from, RecoveryCase& one) {
-  std::apply([&](auto&... field) { (from.take(field), ...); }, fields(one));
 }
 
 void add_case(Recovery& recovery, RecoveryCase one) {
@@ -102,6 +87,7 @@ CompareOptions with_shared_constants(CompareOptions compare, const Scales& scale
 Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case, const StudyHooks& hooks) {
   CompareOptions compare_options = with_shared_constants(options.compare, options.scales);
   Recovery out;
+  std::size_t number = 0;
   for (const auto& model : options.compare.models) out.compared.push_back(model.name);
   for (std::size_t p = 0; p < options.planted.size(); ++p) {
     const ModelChoice& model = options.planted[p];
@@ -115,13 +101,14 @@ Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on
     for (int k = 1; k <= options.seeds; ++k) {
       const std::uint64_t seed = options.compare.seed + static_cast<std::uint64_t>(k) - 1;
       compare_options.seed = seed;
-      add_case(
-          out, *kept<RecoveryCase>(hooks.checkpoint, fmt::format("case {} {}", model.name, seed), [&] {
-            const auto parameters = varied(model, out.parameters.back(), options.scales, options.spread, seed, set);
-            const Tracks recording = planted_recording(model, parameters, options.film, options.scales, seed);
-            return std::optional(recovery_case(p, model.name, seed, parameters, compare(recording, compare_options, hooks.on_progress)));
-          }));
-      if (on_case && !on_case(out.cases.back())) throw Interrupted{};
+      if (!hooks.part.has(number++)) continue;
+      add_case(out, *kept<RecoveryCase>(hooks.runtime.checkpoint, fmt::format("case {} {}", model.name, seed), [&] {
+                 const auto parameters = varied(model, out.parameters.back(), options.scales, options.spread, seed, set);
+                 const Tracks recording = planted_recording(model, parameters, options.film, options.scales, seed);
+                 return std::optional(recovery_case(p, model.name, seed, parameters,
+                                                    compare(recording, compare_options, hooks.on_progress, {hooks.runtime.executor})));
+               }));
+      if (on_case) on_case(out.cases.back());
     }
   }
   return out;

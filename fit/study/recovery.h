@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "fit/compare/compare.h"
@@ -12,8 +13,6 @@
 #include "fit/store/checkpoint.h"
 
 namespace swarmfit {
-
-class Taker;
 
 struct RecoveryOptions {
   std::vector<ModelChoice> planted;  // models that make recordings; compare.models must hold them, and may hold more
@@ -36,6 +35,9 @@ struct RecoveryCase {
   std::vector<double> goodness_p;
   int rank_of_planted = 0;  // 0: its score is undefined
 };
+inline auto fields(RecoveryCase& c) {  // as bytes (fit/store/bytes.h)
+  return std::tie(c.planted, c.seed, c.parameters, c.order, c.scores, c.score_se, c.group, c.goodness_p, c.rank_of_planted);
+}
 
 struct Recovery {
   std::vector<std::string> planted, compared;   // canonical names
@@ -65,21 +67,25 @@ CompareOptions with_shared_constants(CompareOptions compare, const Scales& scale
 RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::uint64_t seed, std::vector<double> parameters,
                            const Comparison& result);
 
-// A case as bytes (fit/store/kept.h).
-void put(std::string& to, const RecoveryCase& one);
-void take(Taker& from, RecoveryCase& one);
-
 // Appends a case and counts its winner.
 void add_case(Recovery& recovery, RecoveryCase one);
 
-// How a study of many comparisons is watched, and where it finds and keeps those that are done.
-struct StudyHooks {
-  OnCompareProgress on_progress{};  // of the comparison it is at
-  Checkpoint* checkpoint = nullptr;
+// Every n-th recording of a study, from the k-th on: for many jobs that do one study. What the others do is left out of the result, which is
+// then of no use; what this one did is in the checkpoint.
+struct Part {
+  int number = 1, of = 1;  // k, n
+  bool has(std::size_t recording) const { return static_cast<int>(recording) % of == number - 1; }
 };
 
-// Called after every case, from the checkpoint or not; returning false interrupts (Interrupted is thrown).
-using OnRecoveryCase = std::function<bool(const RecoveryCase&)>;
+// How a study of many comparisons is watched, by whom its simulations are made, and where it finds and keeps those that are done.
+struct StudyHooks {
+  OnCompareProgress on_progress{};  // of the comparison it is at
+  Runtime runtime{};
+  Part part{};
+};
+
+// Called after every case, from the checkpoint or not.
+using OnRecoveryCase = std::function<void(const RecoveryCase&)>;
 Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on_case = {}, const StudyHooks& hooks = {});
 
 }  // namespace swarmfit

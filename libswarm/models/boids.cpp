@@ -72,10 +72,25 @@ class Boids : public Model {
   int dims_;
 };
 
+const std::vector<Parameter>& parameter_table() {
+  using enum Parameter::Length;
+  // Rows longer than a line would be taken apart, one field a line:
+  // clang-format off
+  static const std::vector<Parameter> table{
+      {.row = kSpeed, .name = "speed", .symbol = "v", .unit = {1, -1}, .scene = {7.5, 0.1, 10}, .fit = {1, 0.1, 4}, .log = true,
+       .fitted = true, .meaning = "constant speed", .source = "Table S17", .shown = Parameter::Shown::speed},
+      {.row = kRadius, .name = "radius", .symbol = "r", .unit = {1, 0}, .scene = {0.26, 0.01, 10}, .fit = {1.5, 0.1, 10}, .length = spacing,
+       .log = true, .fitted = true, .meaning = "radius of perception", .source = "Table S17"},
+      {.row = kTau, .name = "tau", .symbol = "τ", .unit = {0, 1}, .scene = {0.2, 0.01, 10}, .fit = {0.5, 0.05, 10}, .log = true,
+       .fitted = true, .meaning = "turning time", .source = "our choice"},
+  };
+  // clang-format on
+  return table;
+}
+
 }  // namespace
 
 ModelSpec boids_spec() {
-  using enum Parameter::Length;
   return {.name = "boids",
           .summary = "separation, alignment and cohesion at constant speed",
           .citation = "Reynolds 1987, doi:10.1145/37401.37406; two-parameter form of Ren et al. 2016, doi:10.1371/journal.pone.0155698",
@@ -84,25 +99,7 @@ ModelSpec boids_spec() {
           .largest_dt = 1.0 / 20,
           .options = {},
           .columns = {},
-          .parameters =
-              {
-                  {"speed",
-                   "v",
-                   {1, -1},
-                   {7.5, 0.1, 10},
-                   {1, 0.1, 4},
-                   extent,
-                   true,
-                   true,
-                   "",
-                   "constant speed",
-                   "Table S17",
-                   false,
-                   {},
-                   Parameter::Shown::speed},
-                  {"radius", "r", {1, 0}, {0.26, 0.01, 10}, {1.5, 0.1, 10}, spacing, true, true, "", "radius of perception", "Table S17"},
-                  {"tau", "τ", {0, 1}, {0.2, 0.01, 10}, {0.5, 0.05, 10}, extent, true, true, "", "turning time", "our choice"},
-              },
+          .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Boids>(setup); }};
 }
 

@@ -238,26 +238,36 @@ class Brownian : public Model {
 
 const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
-  constexpr std::string_view rayleigh = "friction=rayleigh", depot = "friction=depot", morse = "interaction=morse";
-  constexpr std::string_view repulsion = "interaction=repulsion|morse";
+  constexpr const char *rayleigh = "friction=rayleigh", *depot = "friction=depot", *morse = "interaction=morse";
+  constexpr const char* repulsion = "interaction=repulsion|morse";
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{
-      // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source, integer
-      {"gamma1", "γ_1", {0, -1}, {0.2156, -20, 20}, {1, -5, 5}, extent, false, true, rayleigh,
-       "propulsion of a slow agent; negative: friction", "Table S17, there r1"},
-      {"gamma2", "γ_2", {-2, 1}, {3.8959, 0, 100}, {1, 0, 10}, extent, false, true, rayleigh, "cubic friction", "Table S17, there r2"},
-      {"D", "D", {2, -3}, {0.9585, 0, 20}, {0.5, 0, 5}, extent, false, true, "", "intensity of the noise", "Table S17"},
-      {"C_r", "C_r", {2, -2}, {0.0368, 0, 20}, {0.1, 0, 2}, extent, false, true, repulsion, "energy of repulsion", "Table S17"},
-      {"k", "k", {0, -2}, {1, 0, 20}, {1, 0, 5}, extent, false, true, "confinement=harmonic",
-       "stiffness of the confinement", "our choice; the midges of Sinhuber et al. 2019 have 4.9 s^-2"},
-      {"l_r", "l_r", {1, 0}, {0.5, 0.01, 20}, {0.5, 0.05, 5}, spacing, true, false, repulsion, "range of repulsion", "our choice"},
-      {"C_a", "C_a", {2, -2}, {0.0368, 0, 20}, {0.1, 0, 2}, extent, false, true, morse, "energy of attraction", "our choice"},
-      {"l_a", "l_a", {1, 0}, {2, 0.01, 20}, {3, 0.05, 20}, spacing, true, false, morse, "range of attraction", "our choice"},
-      {"q0", "q_0", {2, -3}, {2, 0, 100}, {2, 0, 5}, extent, false, true, depot, "intake of energy", "our choice"},
-      {"c", "c", {0, -1}, {1, 0.01, 100}, {1, 0.1, 10}, extent, true, false, depot, "loss of stored energy", "our choice"},
-      {"d2", "d_2", {-2, 1}, {1, 0, 100}, {1, 0, 10}, extent, false, true, depot, "conversion of stored energy to motion", "our choice"},
-      {"g0", "γ_0", {0, -1}, {1, 0.01, 20}, {1, 0.3, 10}, extent, true, true, depot, "linear friction", "our choice"},
+      {.row = kGamma1, .name = "gamma1", .symbol = "γ_1", .unit = {0, -1}, .scene = {0.2156, -20, 20}, .fit = {1, -5, 5}, .fitted = true,
+       .when = rayleigh, .meaning = "propulsion of a slow agent; negative: friction", .source = "Table S17, there r1"},
+      {.row = kGamma2, .name = "gamma2", .symbol = "γ_2", .unit = {-2, 1}, .scene = {3.8959, 0, 100}, .fit = {1, 0, 10}, .fitted = true,
+       .when = rayleigh, .meaning = "cubic friction", .source = "Table S17, there r2"},
+      {.row = kD, .name = "D", .symbol = "D", .unit = {2, -3}, .scene = {0.9585, 0, 20}, .fit = {0.5, 0, 5}, .fitted = true,
+       .meaning = "intensity of the noise", .source = "Table S17"},
+      {.row = kCr, .name = "C_r", .symbol = "C_r", .unit = {2, -2}, .scene = {0.0368, 0, 20}, .fit = {0.1, 0, 2}, .fitted = true,
+       .when = repulsion, .meaning = "energy of repulsion", .source = "Table S17"},
+      {.row = kK, .name = "k", .symbol = "k", .unit = {0, -2}, .scene = {1, 0, 20}, .fit = {1, 0, 5}, .fitted = true,
+       .when = "confinement=harmonic",
+       .meaning = "stiffness of the confinement", .source = "our choice; the midges of Sinhuber et al. 2019 have 4.9 s^-2"},
+      {.row = kLr, .name = "l_r", .symbol = "l_r", .unit = {1, 0}, .scene = {0.5, 0.01, 20}, .fit = {0.5, 0.05, 5}, .length = spacing,
+       .log = true, .when = repulsion, .meaning = "range of repulsion", .source = "our choice"},
+      {.row = kCa, .name = "C_a", .symbol = "C_a", .unit = {2, -2}, .scene = {0.0368, 0, 20}, .fit = {0.1, 0, 2}, .fitted = true,
+       .when = morse, .meaning = "energy of attraction", .source = "our choice"},
+      {.row = kLa, .name = "l_a", .symbol = "l_a", .unit = {1, 0}, .scene = {2, 0.01, 20}, .fit = {3, 0.05, 20}, .length = spacing,
+       .log = true, .when = morse, .meaning = "range of attraction", .source = "our choice"},
+      {.row = kQ0, .name = "q0", .symbol = "q_0", .unit = {2, -3}, .scene = {2, 0, 100}, .fit = {2, 0, 5}, .fitted = true, .when = depot,
+       .meaning = "intake of energy", .source = "our choice"},
+      {.row = kC, .name = "c", .symbol = "c", .unit = {0, -1}, .scene = {1, 0.01, 100}, .fit = {1, 0.1, 10}, .log = true, .when = depot,
+       .meaning = "loss of stored energy", .source = "our choice"},
+      {.row = kD2, .name = "d2", .symbol = "d_2", .unit = {-2, 1}, .scene = {1, 0, 100}, .fit = {1, 0, 10}, .fitted = true, .when = depot,
+       .meaning = "conversion of stored energy to motion", .source = "our choice"},
+      {.row = kG0, .name = "g0", .symbol = "γ_0", .unit = {0, -1}, .scene = {1, 0.01, 20}, .fit = {1, 0.3, 10}, .log = true, .fitted = true,
+       .when = depot, .meaning = "linear friction", .source = "our choice"},
   };
   // clang-format on
   return table;

@@ -28,10 +28,9 @@
 //
 // Options (first value: default)
 //   noise          curl      noise · curl P(r / scale), fixed in space: agents at one place feel the same force; noise = gain / scale
-//                  perlin    noise · P(r / scale); noise = gain
-//                  gaussian  lambda · G, G standard normal per component, new for each agent and step
-//                  white     lambda · W, W uniform on [-1, 1) per component, likewise
-//                  none      0
+//                  perlin    3.68 noise · P(r / scale), in two dimensions 2.62: as strong as curl noise, root mean square; noise = gain
+//                  / 3.68 gaussian  lambda · G, G standard normal per component, new for each agent and step white     lambda · W, W
+//                  uniform on [-1, 1) per component, likewise none      0
 //   interaction    on | off: F_int = 0 (the paper's "noise only")
 //   avoidance      orca | none
 //   infeasible     when no velocity is free of collisions: zero velocity | substep: redo the step in halves, thrice at most, then zero |
@@ -100,42 +99,52 @@ const std::vector<Option>& option_table() {
 
 const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
-  constexpr std::string_view field = "noise=curl|perlin", on = "interaction=on", orca = "avoidance=orca";
-  constexpr std::string_view sde = "noise=white|gaussian,noise_scaling=sde", literal = "noise=white|gaussian,noise_scaling=literal";
+  constexpr const char *field = "noise=curl|perlin", *on = "interaction=on", *orca = "avoidance=orca";
+  constexpr const char *sde = "noise=white|gaussian,noise_scaling=sde", *literal = "noise=white|gaussian,noise_scaling=literal";
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{
-      // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source, integer, at_lower
-      {"gamma", "γ", {-1, 0}, {11.16, 0.1, 20}, {1.5, 0.1, 20}, extent, true, true, "", "quadratic drag", "Eq 3; Table 1 Midge"},
-      {"noise", "gain/scale", {1, -2}, {2.51 / 2.20, 0, 40}, {2, 0, 20}, extent, false, true, field,
-       "strength of the noise force (gain for Perlin noise)", "Eq 4; Table 1 Midge"},
-      {"scale", "scale", {1, 0}, {2.20, 0.2, 5}, {0.5, 0.1, 3}, extent, true, true, field,
-       "feature size of the noise field", "Eq 4; Table 1 Midge", false,
-       "the smaller the features, the nearer a field is to white noise"},
-      {"lambda", "λ", {1, -1.5}, {1, 0, 20}, {1, 0, 3}, extent, false, true, sde,
-       "intensity of the random force", "Eq 4; force times the square root of time"},
-      {"lambda_literal", "λ", {1, -2}, {1, 0, 20}, {5, 0, 20}, extent, false, true, literal,
-       "amplitude of the random force, as printed", "Eq 4"},
-      {"chi_rep", "χ_rep", {1, -2}, {5.61, 0, 30}, {5, 0, 20}, extent, false, true, on, "repulsion", "Eq 5; Table 1 Midge"},
-      {"chi_att", "χ_att", {1, -2}, {14.29, 0, 40}, {5, 0, 20}, extent, false, true, on, "attraction", "Eq 5; Table 1 Midge"},
-      {"r_rep", "r_rep", {1, 0}, {0.17, 0, 8}, {0.5, 0, 3}, spacing, false, true, on, "radius of repulsion", "Eq 5; Table 1 Midge"},
-      {"r_att", "r_att*", {1, 0}, {5.12, 0, 20}, {5, 0, 10}, spacing, false, true, on,
-       "width of the shell of attraction", "Eq 5; Table 1 Midge"},
-      {"chi_ali", "χ_ali", {1, -2}, {0, 0, 20}, {0, 0, 20}, extent, false, false, on, "alignment", "Eq 5; Table 1 Midge"},
-      {"r_ali", "r_ali*", {1, 0}, {0, 0, 12}, {0, 0, 10}, spacing, false, false, on,
-       "width of the shell of alignment", "Eq 5; Table 1 Midge"},
-      {"chi_res", "χ_res", {1, -2}, {0, 0, 60}, {0, 0, 60}, extent, false, false, "", "response to stimuli", "Eq 3; Table 1 Midge"},
-      {"r_res", "r_res", {1, 0}, {0, 0, 25}, {0, 0, 25}, extent, false, false, "", "range of sight for stimuli", "Eq 3; Table 1 Midge"},
-      {"radius", "r", {1, 0}, {0.07, 0.001, 1}, {0.05, 0.01, 1}, spacing, true, true, orca, "radius of an agent for avoidance",
-       "our choice; the fits of the avoidance baseline, Tables S17-S20, give 0.063-0.078"},
-      {"max_speed", "v_max", {1, -1}, {10, 0.1, 1000}, {50, 1, 1000}, extent, true, false, orca,
-       "highest speed; must not clip v_pref", "our choice"},
-      {"time_horizon", "τ", {0, 1}, {0.5, 0.01, 10}, {0.5, 0.01, 10}, extent, true, false, orca,
-       "for how long collisions are avoided", "our choice"},
-      {"neighbour_distance", "d_max", {1, 0}, {0, 0, 40}, {0, 0, 40}, spacing, false, false, orca,
-       "range of avoidance; 0: ten times the radius", "our choice; Table S17 0.4022"},
-      {"max_neighbours", "k", {0, 0}, {10, 1, 100}, {10, 1, 100}, extent, false, false, orca,
-       "most neighbours avoided at once", "Table S17 10.6", true},
+      {.row = kGamma, .name = "gamma", .symbol = "γ", .unit = {-1, 0}, .scene = {11.16, 0.1, 20}, .fit = {1.5, 0.1, 20}, .log = true,
+       .fitted = true, .meaning = "quadratic drag", .source = "Eq 3; Table 1 Midge"},
+      {.row = kNoise, .name = "noise", .symbol = "gain/scale", .unit = {1, -2}, .scene = {2.51 / 2.20, 0, 40}, .fit = {2, 0, 20},
+       .fitted = true, .when = field,
+       .meaning = "root mean square of the noise force over 1.72 (in two dimensions 1.00)", .source = "Eq 4; Table 1 Midge"},
+      {.row = kScale, .name = "scale", .symbol = "scale", .unit = {1, 0}, .scene = {2.20, 0.2, 5}, .fit = {0.5, 0.1, 3}, .log = true,
+       .fitted = true, .when = field,
+       .meaning = "feature size of the noise field", .source = "Eq 4; Table 1 Midge",
+       .at_lower = "the smaller the features, the nearer a field is to white noise"},
+      {.row = kLambda, .name = "lambda", .symbol = "λ", .unit = {1, -1.5}, .scene = {1, 0, 20}, .fit = {1, 0, 3}, .fitted = true,
+       .when = sde, .meaning = "intensity of the random force", .source = "Eq 4; force times the square root of time"},
+      {.row = kLambdaLiteral, .name = "lambda_literal", .symbol = "λ", .unit = {1, -2}, .scene = {1, 0, 20}, .fit = {5, 0, 20},
+       .fitted = true, .when = literal, .meaning = "amplitude of the random force, as printed", .source = "Eq 4"},
+      {.row = kChiRep, .name = "chi_rep", .symbol = "χ_rep", .unit = {1, -2}, .scene = {5.61, 0, 30}, .fit = {5, 0, 20}, .fitted = true,
+       .when = on, .meaning = "repulsion", .source = "Eq 5; Table 1 Midge"},
+      {.row = kChiAtt, .name = "chi_att", .symbol = "χ_att", .unit = {1, -2}, .scene = {14.29, 0, 40}, .fit = {5, 0, 20}, .fitted = true,
+       .when = on, .meaning = "attraction", .source = "Eq 5; Table 1 Midge"},
+      {.row = kRRep, .name = "r_rep", .symbol = "r_rep", .unit = {1, 0}, .scene = {0.17, 0, 8}, .fit = {0.5, 0, 3}, .length = spacing,
+       .fitted = true, .when = on, .meaning = "radius of repulsion", .source = "Eq 5; Table 1 Midge"},
+      {.row = kRAtt, .name = "r_att", .symbol = "r_att*", .unit = {1, 0}, .scene = {5.12, 0, 20}, .fit = {5, 0, 10}, .length = spacing,
+       .fitted = true, .when = on, .meaning = "width of the shell of attraction", .source = "Eq 5; Table 1 Midge"},
+      {.row = kChiAli, .name = "chi_ali", .symbol = "χ_ali", .unit = {1, -2}, .scene = {0, 0, 20}, .fit = {0, 0, 20}, .when = on,
+       .meaning = "alignment", .source = "Eq 5; Table 1 Midge"},
+      {.row = kRAli, .name = "r_ali", .symbol = "r_ali*", .unit = {1, 0}, .scene = {0, 0, 12}, .fit = {0, 0, 10}, .length = spacing,
+       .when = on, .meaning = "width of the shell of alignment", .source = "Eq 5; Table 1 Midge"},
+      {.row = kChiRes, .name = "chi_res", .symbol = "χ_res", .unit = {1, -2}, .scene = {0, 0, 60}, .fit = {0, 0, 60},
+       .needs = "stimuli", .meaning = "response to stimuli", .source = "Eq 3; Table 1 Midge"},
+      {.row = kRRes, .name = "r_res", .symbol = "r_res", .unit = {1, 0}, .scene = {0, 0, 25}, .fit = {0, 0, 25},
+       .needs = "stimuli", .meaning = "range of sight for stimuli", .source = "Eq 3; Table 1 Midge"},
+      {.row = kRadius, .name = "radius", .symbol = "r", .unit = {1, 0}, .scene = {0.07, 0.001, 1}, .fit = {0.05, 0.01, 1},
+       .length = spacing, .log = true, .fitted = true, .when = orca,
+       .meaning = "radius of an agent for avoidance",
+       .source = "our choice; the fits of the avoidance baseline, Tables S17-S20, give 0.063-0.078"},
+      {.row = kMaxSpeed, .name = "max_speed", .symbol = "v_max", .unit = {1, -1}, .scene = {10, 0.1, 1000}, .fit = {50, 1, 1000},
+       .log = true, .when = orca, .meaning = "highest speed; must not clip v_pref", .source = "our choice"},
+      {.row = kTimeHorizon, .name = "time_horizon", .symbol = "τ", .unit = {0, 1}, .scene = {0.5, 0.01, 10}, .fit = {0.5, 0.01, 10},
+       .log = true, .when = orca, .meaning = "for how long collisions are avoided", .source = "our choice"},
+      {.row = kNeighbourDistance, .name = "neighbour_distance", .symbol = "d_max", .unit = {1, 0}, .scene = {0, 0, 40}, .fit = {0, 0, 40},
+       .length = spacing, .when = orca, .meaning = "range of avoidance; 0: ten times the radius", .source = "our choice; Table S17 0.4022"},
+      {.row = kMaxNeighbours, .name = "max_neighbours", .symbol = "k", .unit = {0, 0}, .scene = {10, 1, 100}, .fit = {10, 1, 100},
+       .when = orca, .meaning = "most neighbours avoided at once", .source = "Table S17 10.6", .integer = true},
   };
   // clang-format on
   return table;
@@ -247,7 +256,7 @@ class Bswarm : public Model {
     const NoiseField& field = static_cast<const Buffers*>(c.work)->field;
     Array3d x = now.pos.row(i).transpose() / c.p[kScale];
     if (per_agent_offset_) x += offset_of(c.rng, id);
-    if (noise_ == Noise::perlin) return flat(c.p[kNoise] * field.potential(x));
+    if (noise_ == Noise::perlin) return flat(c.p[kNoise] * potential_as_strong_as_curl(dims_) * field.potential(x));
     return c.p[kNoise] * (dims_ == 2 ? field.curl2(x) : field.curl(x));
   }
 

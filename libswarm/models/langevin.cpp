@@ -104,16 +104,18 @@ class Langevin : public Model {
 
 const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
-  constexpr std::string_view okubo = "Okubo 1986", reynolds = "Reynolds et al. 2017";
+  constexpr const char *okubo = "Okubo 1986", *reynolds = "Reynolds et al. 2017";
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{
-      // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source, integer
-      {"tau_v", "τ_v", {0, 1}, {1, 0.01, 100}, {1, 0.1, 10}, extent, true, true, "", "time of friction", okubo},
-      {"k", "k", {0, -2}, {1, 0, 20}, {1, 0, 5}, extent, false, true, "", "stiffness of the confinement", okubo},
-      {"tau_eta", "τ_η", {0, 1}, {0.1, 0.001, 10}, {0.2, 0.02, 2}, extent, true, true, "", "memory of the noise", reynolds},
-      {"sigma_eta", "σ_η", {1, -2}, {5, 0, 100}, {3, 0, 10}, extent, false, true, "",
-       "standard deviation of the noise acceleration, per component", reynolds},
+      {.row = kTauV, .name = "tau_v", .symbol = "τ_v", .unit = {0, 1}, .scene = {1, 0.01, 100}, .fit = {1, 0.1, 10}, .log = true,
+       .fitted = true, .meaning = "time of friction", .source = okubo},
+      {.row = kK, .name = "k", .symbol = "k", .unit = {0, -2}, .scene = {1, 0, 20}, .fit = {1, 0, 5}, .fitted = true,
+       .meaning = "stiffness of the confinement", .source = okubo},
+      {.row = kTauEta, .name = "tau_eta", .symbol = "τ_η", .unit = {0, 1}, .scene = {0.1, 0.001, 10}, .fit = {0.2, 0.02, 2}, .log = true,
+       .fitted = true, .meaning = "memory of the noise", .source = reynolds},
+      {.row = kSigma, .name = "sigma_eta", .symbol = "σ_η", .unit = {1, -2}, .scene = {5, 0, 100}, .fit = {3, 0, 10}, .fitted = true,
+       .meaning = "standard deviation of the noise acceleration, per component", .source = reynolds},
   };
   // clang-format on
   return table;

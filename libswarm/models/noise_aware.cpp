@@ -48,12 +48,8 @@ enum Row : std::size_t { kScale, kGain, kCage, kHold };
 
 enum class Noise { curl, perlin, white };
 
-// What perlin and white noise are multiplied by to have the root-mean-square length of curl noise, by number of dimensions: 1.72 and 1.00
-// over 0.27 sqrt(dims) and sqrt(dims / 3).
-struct Match {
-  double perlin, white;
-};
-Match match(int dims) { return dims == 2 ? Match{2.62, 1.23} : Match{3.68, 1.72}; }
+// What white noise is multiplied by to have the root-mean-square length of curl noise: 1.72 and 1.00 over sqrt(dims / 3).
+double white_as_strong_as_curl(int dims) { return dims == 2 ? 1.23 : 1.72; }
 
 constexpr double kTravel = 1.0 / 8;  // longest midpoint step, in units of d0
 constexpr int kMostParts = 64;
@@ -101,8 +97,8 @@ class Flow {
     const double into = (cage_.radius - r) / width_;  // may reach the centre, where there is no direction: the ramp is 1 there
     const Wall wall{ramp(into), r > 0 ? Array3d(from / r) : Array3d(Array3d::Zero()), r};
     if (noise_ == Noise::curl) return strength_ * (into >= 1 ? free_curl(x / scale_) : dims_ == 2 ? curl2(x, wall) : curl3(x, wall));
-    const Array3d v = strength_ * (noise_ == Noise::perlin ? match(dims_).perlin * field_.potential(x / scale_)
-                                                           : match(dims_).white * white_noise(rng_, draw_, id));
+    const Array3d v = strength_ * (noise_ == Noise::perlin ? potential_as_strong_as_curl(dims_) * field_.potential(x / scale_)
+                                                           : white_as_strong_as_curl(dims_) * white_noise(rng_, draw_, id));
     return damped(flat(v), wall);
   }
 
@@ -207,10 +203,29 @@ class NoiseAware : public Model {
   double reach_ = 0;  // of the recorded positions from their centre; 0 without a recording
 };
 
+const std::vector<Parameter>& parameter_table() {
+  using enum Parameter::Length;
+  // Rows longer than a line would be taken apart, one field a line:
+  // clang-format off
+  static const std::vector<Parameter> table{
+      {.row = kScale, .name = "scale", .symbol = "scale", .unit = {1, 0}, .scene = {2.1368, 0.05, 20}, .fit = {0.5, 0.15, 2}, .log = true,
+       .fitted = true, .when = "noise=curl|perlin", .meaning = "feature size of the noise field", .source = "Table S17"},
+      {.row = kGain, .name = "gain", .symbol = "gain", .unit = {2, -1}, .scene = {1.2394, 0.01, 20}, .fit = {0.35, 0.05, 2.5}, .log = true,
+       .fitted = true, .meaning = "amplitude of the potential; the speed is 1.72 gain / scale", .source = "Table S17"},
+      {.row = kCage, .name = "cage", .symbol = "R", .unit = {1, 0}, .scene = {10, 0.1, 1000}, .fit = {3, 1, 10}, .log = true,
+       .fitted = true,
+       .meaning = "radius of the cage; in a fit it holds at least all recorded positions",
+       .source = "our choice: beyond the swarm, as in section 4 of the paper"},
+      {.row = kHold, .name = "hold", .symbol = "τ", .unit = {0, 1}, .scene = {1.0 / 60, 1e-4, 10}, .fit = {0.05, 0.001, 10}, .log = true,
+       .when = "noise=white", .meaning = "how long a white velocity lasts", .source = "our choice: the paper's frame"},
+  };
+  // clang-format on
+  return table;
+}
+
 }  // namespace
 
 ModelSpec noise_aware_spec() {
-  using enum Parameter::Length;
   return {.name = "noise_aware",
           .summary = "agents carried by a divergence-free noise field inside a cage, without interaction",
           .citation = "Wang et al. 2014, doi:10.1111/cgf.12277; fitted by Ren et al. 2016, doi:10.1371/journal.pone.0155698",
@@ -220,53 +235,7 @@ ModelSpec noise_aware_spec() {
           .quiet = "gain=0",
           .options = {{"noise", {"curl", "perlin", "white"}, "the velocity field"}},
           .columns = {},
-          .parameters =
-              {
-                  {"scale",
-                   "scale",
-                   {1, 0},
-                   {2.1368, 0.05, 20},
-                   {0.5, 0.15, 2},
-                   extent,
-                   true,
-                   true,
-                   "noise=curl|perlin",
-                   "feature size of the noise field",
-                   "Table S17"},
-                  {"gain",
-                   "gain",
-                   {2, -1},
-                   {1.2394, 0.01, 20},
-                   {0.35, 0.05, 2.5},
-                   extent,
-                   true,
-                   true,
-                   "",
-                   "amplitude of the potential; the speed is 1.72 gain / scale",
-                   "Table S17"},
-                  {"cage",
-                   "R",
-                   {1, 0},
-                   {10, 0.1, 1000},
-                   {3, 1, 10},
-                   extent,
-                   true,
-                   true,
-                   "",
-                   "radius of the cage; in a fit it holds at least all recorded positions",
-                   "our choice: beyond the swarm, as in section 4 of the paper"},
-                  {"hold",
-                   "τ",
-                   {0, 1},
-                   {1.0 / 60, 1e-4, 10},
-                   {0.05, 0.001, 10},
-                   extent,
-                   true,
-                   false,
-                   "noise=white",
-                   "how long a white velocity lasts",
-                   "our choice: the paper's frame"},
-              },
+          .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<NoiseAware>(setup); }};
 }
 

@@ -143,25 +143,30 @@ class Rvo : public Model {
 
 const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
-  constexpr std::string_view about_centre = "goal=random|center";
+  constexpr const char* about_centre = "goal=random|center";
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{
-      // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source, integer
-      {"neighbour_distance", "d_max", {1, 0}, {0.4022, 0.01, 40}, {3, 0.5, 10}, spacing, true, true, "",
-       "range of avoidance", "Table S17"},
-      {"max_neighbours", "k", {0, 0}, {11, 1, 100}, {10, 1, 30}, extent, false, true, "",
-       "most neighbours avoided at once", "Table S17 10.6452; RVO2-3D 10", true},
-      {"radius", "r", {1, 0}, {0.0718, 0.001, 10}, {0.05, 0.01, 1}, spacing, true, true, "", "radius of an agent", "Table S17"},
-      {"max_speed", "v_max", {1, -1}, {0.2309, 0.01, 100}, {1, 0.2, 5}, extent, true, true, "", "highest and preferred speed", "Table S17"},
-      {"time_horizon", "τ", {0, 1}, {1, 0.01, 20}, {2, 0.05, 20}, extent, true, true, "",
-       "for how long collisions are avoided", "our choice: the sources do not say; RVO2-3D 10"},
-      {"goal_radius", "", {1, 0}, {2, 0.01, 100}, {2, 0.1, 10}, extent, true, true, about_centre,
-       "goals lie this near the centre; from farther away agents return to it", "our choice: twice the extent of the recording"},
-      {"goal_time", "", {0, 1}, {5, 0.1, 100}, {10, 0.5, 100}, extent, true, true, "goal=random",
-       "after this time a goal is given up", "our choice"},
-      {"jitter", "", {0, 0}, {1e-3, 0, 0.1}, {1e-3, 0, 0.1}, extent, false, false, "",
-       "random part of the preferred velocity, in units of the highest speed", "our choice, as in the examples of RVO2"},
+      {.row = kRange, .name = "neighbour_distance", .symbol = "d_max", .unit = {1, 0}, .scene = {0.4022, 0.01, 40}, .fit = {3, 0.5, 10},
+       .length = spacing, .log = true, .fitted = true, .meaning = "range of avoidance", .source = "Table S17"},
+      {.row = kNeighbours, .name = "max_neighbours", .symbol = "k", .unit = {0, 0}, .scene = {11, 1, 100}, .fit = {10, 1, 30},
+       .fitted = true, .meaning = "most neighbours avoided at once", .source = "Table S17 10.6452; RVO2-3D 10", .integer = true},
+      {.row = kRadius, .name = "radius", .symbol = "r", .unit = {1, 0}, .scene = {0.0718, 0.001, 10}, .fit = {0.05, 0.01, 1},
+       .length = spacing, .log = true, .fitted = true, .meaning = "radius of an agent", .source = "Table S17"},
+      {.row = kMaxSpeed, .name = "max_speed", .symbol = "v_max", .unit = {1, -1}, .scene = {0.2309, 0.01, 100}, .fit = {1, 0.2, 5},
+       .log = true, .fitted = true, .meaning = "highest and preferred speed", .source = "Table S17"},
+      {.row = kTimeHorizon, .name = "time_horizon", .symbol = "τ", .unit = {0, 1}, .scene = {1, 0.01, 20}, .fit = {2, 0.05, 20},
+       .log = true, .fitted = true,
+       .meaning = "for how long collisions are avoided", .source = "our choice: the sources do not say; RVO2-3D 10"},
+      {.row = kGoalRadius, .name = "goal_radius", .unit = {1, 0}, .scene = {2, 0.01, 100}, .fit = {2, 0.1, 10}, .log = true, .fitted = true,
+       .when = about_centre,
+       .meaning = "goals lie this near the centre; from farther away agents return to it",
+       .source = "our choice: twice the extent of the recording"},
+      {.row = kGoalTime, .name = "goal_time", .unit = {0, 1}, .scene = {5, 0.1, 100}, .fit = {10, 0.5, 100}, .log = true, .fitted = true,
+       .when = "goal=random", .meaning = "after this time a goal is given up", .source = "our choice"},
+      {.row = kJitter, .name = "jitter", .unit = {0, 0}, .scene = {1e-3, 0, 0.1}, .fit = {1e-3, 0, 0.1},
+       .meaning = "random part of the preferred velocity, in units of the highest speed",
+       .source = "our choice, as in the examples of RVO2"},
   };
   // clang-format on
   return table;

@@ -104,11 +104,31 @@ class Vicsek : public Model {
   bool vectorial_, old_;
 };
 
-}  // namespace
-
-ModelSpec vicsek_spec() {  // NOLINT(readability-function-size): a table
+const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
   constexpr double circle = 2 * std::numbers::pi;
+  // Rows longer than a line would be taken apart, one field a line:
+  // clang-format off
+  static const std::vector<Parameter> table{
+      {.row = kSpeed, .name = "speed", .symbol = "v0", .unit = {1, -1}, .scene = {0.03, 0.001, 10}, .fit = {1, 0.1, 4}, .log = true,
+       .fitted = true, .meaning = "constant speed", .source = "1995, text", .shown = Parameter::Shown::speed},
+      {.row = kRadius, .name = "radius", .symbol = "r", .unit = {1, 0}, .scene = {1, 0.01, 100}, .fit = {1.5, 0.1, 10}, .length = spacing,
+       .log = true, .fitted = true, .meaning = "radius of perception", .source = "1995, text"},
+      {.row = kEta, .name = "eta", .symbol = "η", .unit = {0, 0}, .scene = {1, 0.001, circle}, .fit = {0.5, 0.01, circle}, .log = true,
+       .fitted = true, .when = "noise=scalar", .meaning = "width of the error of a decision [rad]", .source = "1995, eq 2"},
+      {.row = kEtaVectorial, .name = "eta_vectorial", .symbol = "η", .unit = {0, 0}, .scene = {0.3, 0.001, 2}, .fit = {0.3, 0.01, 2},
+       .log = true, .fitted = true, .when = "noise=vectorial",
+       .meaning = "length of the error, relative to a neighbour's direction", .source = "2004, eq 2"},
+      {.row = kTau, .name = "tau", .symbol = "Δt", .unit = {0, 1}, .scene = {1, 0, 100}, .fit = {0, 0, 1},
+       .meaning = "time between decisions; 0: the recording's frame interval, or every step", .source = "1995, text; in fits our choice"},
+  };
+  // clang-format on
+  return table;
+}
+
+}  // namespace
+
+ModelSpec vicsek_spec() {
   return {.name = "vicsek",
           .summary = "alignment with noise at constant speed",
           .citation =
@@ -121,58 +141,7 @@ ModelSpec vicsek_spec() {  // NOLINT(readability-function-size): a table
           .options = {{"noise", {"scalar", "vectorial"}, "error of the own steering, or of what is seen of each neighbour"},
                       {"update", {"old", "new"}, "positions move on with the old direction, or with the new one"}},
           .columns = {"found_x", "found_y", "found_z"},
-          .parameters =
-              {
-                  // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source
-                  {"speed",
-                   "v0",
-                   {1, -1},
-                   {0.03, 0.001, 10},
-                   {1, 0.1, 4},
-                   extent,
-                   true,
-                   true,
-                   "",
-                   "constant speed",
-                   "1995, text",
-                   false,
-                   {},
-                   Parameter::Shown::speed},
-                  {"radius", "r", {1, 0}, {1, 0.01, 100}, {1.5, 0.1, 10}, spacing, true, true, "", "radius of perception", "1995, text"},
-                  {"eta",
-                   "η",
-                   {0, 0},
-                   {1, 0.001, circle},
-                   {0.5, 0.01, circle},
-                   extent,
-                   true,
-                   true,
-                   "noise=scalar",
-                   "width of the error of a decision [rad]",
-                   "1995, eq 2"},
-                  {"eta_vectorial",
-                   "η",
-                   {0, 0},
-                   {0.3, 0.001, 2},
-                   {0.3, 0.01, 2},
-                   extent,
-                   true,
-                   true,
-                   "noise=vectorial",
-                   "length of the error, relative to a neighbour's direction",
-                   "2004, eq 2"},
-                  {"tau",
-                   "Δt",
-                   {0, 1},
-                   {1, 0, 100},
-                   {0, 0, 1},
-                   extent,
-                   false,
-                   false,
-                   "",
-                   "time between decisions; 0: the recording's frame interval, or every step",
-                   "1995, text; in fits our choice"},
-              },
+          .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Vicsek>(setup); }};
 }
 

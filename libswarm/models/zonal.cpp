@@ -114,11 +114,36 @@ class Zonal : public Model {
   double frame_;  // frame interval of the recording, or 0
 };
 
-}  // namespace
-
-ModelSpec zonal_spec() {  // NOLINT(readability-function-size): a table
+const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
   constexpr double pi = std::numbers::pi, degree = pi / 180;
+  // Rows longer than a line would be taken apart, one field a line:
+  // clang-format off
+  static const std::vector<Parameter> table{
+      {.row = kSpeed, .name = "speed", .symbol = "s", .unit = {1, -1}, .scene = {3, 0.01, 100}, .fit = {1, 0.1, 4}, .log = true,
+       .fitted = true, .meaning = "constant speed", .source = "2002, Table 1", .shown = Parameter::Shown::speed},
+      {.row = kTurning, .name = "turning", .symbol = "θ", .unit = {0, -1}, .scene = {40 * degree, 0.01, 100}, .fit = {5, 0.2, 60},
+       .log = true, .fitted = true, .meaning = "highest rate of turning [rad/s]", .source = "2002, Table 1: 10-100 degrees per second"},
+      {.row = kSigma, .name = "sigma", .symbol = "σ", .unit = {0, 0}, .scene = {0.05, 0.001, pi}, .fit = {0.2, 0.01, pi}, .log = true,
+       .fitted = true, .meaning = "error of a decision [rad]", .source = "2002, Table 1: 0-11.5 degrees"},
+      {.row = kRRep, .name = "r_rep", .symbol = "R_r", .unit = {1, 0}, .scene = {1, 0, 20}, .fit = {0.5, 0, 3}, .length = spacing,
+       .fitted = true, .meaning = "radius of repulsion", .source = "2002, Table 1"},
+      {.row = kROri, .name = "r_ori", .symbol = "ΔR_o", .unit = {1, 0}, .scene = {2, 0, 50}, .fit = {1, 0, 10}, .length = spacing,
+       .fitted = true, .meaning = "width of the shell of orientation", .source = "2002, Table 1"},
+      {.row = kRAtt, .name = "r_att", .symbol = "ΔR_a", .unit = {1, 0}, .scene = {14, 0, 50}, .fit = {5, 0, 10}, .length = spacing,
+       .fitted = true, .meaning = "width of the shell of attraction", .source = "2002, Table 1"},
+      {.row = kBlind, .name = "blind", .unit = {0, 0}, .scene = {0, 0, 2 * pi}, .fit = {0, 0, 2 * pi},
+       .meaning = "angle behind the back without orientation and attraction [rad]", .source = "thesis: none; 2002: 90 degrees"},
+      {.row = kTau, .name = "tau", .symbol = "τ", .unit = {0, 1}, .scene = {0.1, 1e-4, 10}, .fit = {0.05, 0.01, 1}, .log = true,
+       .fitted = true, .meaning = "time between decisions; at least the recording's frame interval", .source = "2002, Table 1"},
+  };
+  // clang-format on
+  return table;
+}
+
+}  // namespace
+
+ModelSpec zonal_spec() {
   return {.name = "zonal",
           .summary = "repulsion, orientation and attraction in nested zones, with a bounded rate of turning",
           .citation = "Couzin et al. 2002, doi:10.1006/jtbi.2002.3065; in the form of Strömbom 2013, thesis, Uppsala",
@@ -128,91 +153,7 @@ ModelSpec zonal_spec() {  // NOLINT(readability-function-size): a table
           .quiet = "sigma=0",
           .options = {},
           .columns = {},
-          .parameters =
-              {
-                  // name, symbol, unit, scene {default, lower, upper}, fit {...}, length, log, fitted, when, meaning, source
-                  {"speed",
-                   "s",
-                   {1, -1},
-                   {3, 0.01, 100},
-                   {1, 0.1, 4},
-                   extent,
-                   true,
-                   true,
-                   "",
-                   "constant speed",
-                   "2002, Table 1",
-                   false,
-                   {},
-                   Parameter::Shown::speed},
-                  {"turning",
-                   "θ",
-                   {0, -1},
-                   {40 * degree, 0.01, 100},
-                   {5, 0.2, 60},
-                   extent,
-                   true,
-                   true,
-                   "",
-                   "highest rate of turning [rad/s]",
-                   "2002, Table 1: 10-100 degrees per second"},
-                  {"sigma",
-                   "σ",
-                   {0, 0},
-                   {0.05, 0.001, pi},
-                   {0.2, 0.01, pi},
-                   extent,
-                   true,
-                   true,
-                   "",
-                   "error of a decision [rad]",
-                   "2002, Table 1: 0-11.5 degrees"},
-                  {"r_rep", "R_r", {1, 0}, {1, 0, 20}, {0.5, 0, 3}, spacing, false, true, "", "radius of repulsion", "2002, Table 1"},
-                  {"r_ori",
-                   "ΔR_o",
-                   {1, 0},
-                   {2, 0, 50},
-                   {1, 0, 10},
-                   spacing,
-                   false,
-                   true,
-                   "",
-                   "width of the shell of orientation",
-                   "2002, Table 1"},
-                  {"r_att",
-                   "ΔR_a",
-                   {1, 0},
-                   {14, 0, 50},
-                   {5, 0, 10},
-                   spacing,
-                   false,
-                   true,
-                   "",
-                   "width of the shell of attraction",
-                   "2002, Table 1"},
-                  {"blind",
-                   "",
-                   {0, 0},
-                   {0, 0, 2 * pi},
-                   {0, 0, 2 * pi},
-                   extent,
-                   false,
-                   false,
-                   "",
-                   "angle behind the back without orientation and attraction [rad]",
-                   "thesis: none; 2002: 90 degrees"},
-                  {"tau",
-                   "τ",
-                   {0, 1},
-                   {0.1, 1e-4, 10},
-                   {0.05, 0.01, 1},
-                   extent,
-                   true,
-                   true,
-                   "",
-                   "time between decisions; at least the recording's frame interval",
-                   "2002, Table 1"},
-              },
+          .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Zonal>(setup); }};
 }
 

@@ -273,6 +273,7 @@ class Assembly {
                  .columns = table_.columns,
                  .notes = std::move(table_.notes),
                  .synthetic = table_.synthetic};
+    meta.kinds = std::move(table_.kinds);
     return meta;
   }
 

@@ -122,6 +122,7 @@ class Drives {
     }
     if (!published) return;
     for (const auto track : table_.track) table_[FileColumn::kind].push_back(track == 14 ? 1 : track == 15 ? 2 : 0);
+    table_.kinds = {"sheep", "dog", "shepherd"};
     table_.notes.push_back(
         "rows 1 to 14 are sheep (kind 0), row 15 is the dog (kind 1), row 16 the shepherd (kind 2), after Jadhav et al. 2024");
   }

@@ -38,6 +38,7 @@ struct RawTable {
   std::vector<std::uint32_t> line;                         // source line of every row; empty: rows have no lines
   std::string row_name = "row";                            // what to call a row without a line
   std::vector<std::int64_t> episodes;
+  std::vector<std::string> kinds;  // names of kinds 0, 1, ...
 
   double dt = 0;     // frame interval stated in the file [s]; 0: none
   double t0 = 0;     // time of frame 0, when dt is stated

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/results/axis_scale.h"
 #include "reports/comparison/figure_parts.h"
 #include "reports/comparison/words.h"
 #include "reports/write/number.h"
@@ -34,10 +35,7 @@ constexpr double kRow = 10, kBlockHead = 13, kBlockFoot = 30;
 
 // Between the bounds, 0 to 1, on the axis along which it was searched (docs/search.md).
 double place_of(const ParameterResult& p, double value) {
-  if (!(p.upper > p.lower)) return NAN;
-  if (p.log) return std::log(value / p.lower) / std::log(p.upper / p.lower);
-  const double share = (value - p.lower) / (p.upper - p.lower);
-  return p.lower == 0 ? std::sqrt(share) : share;
+  return p.upper > p.lower ? place_on(scale_of(p.log, p.lower), p.lower, p.upper, value) : NAN;
 }
 
 std::vector<const ParameterResult*> fitted(const FitResult& r) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/results/axis_scale.h"
 #include "reports/comparison/html_sections.h"
 #include "reports/comparison/methods.h"
 #include "reports/comparison/words.h"
@@ -19,9 +20,7 @@ using Cells = std::vector<HtmlTable::Cell>;
 
 // Where a value lies between its bounds, 0..1, on the scale on which it was searched.
 double place(const ParameterResult& p) {
-  if (!p.fitted || !(p.upper > p.lower)) return NAN;
-  if (p.log) return std::log(p.value / p.lower) / std::log(p.upper / p.lower);
-  return (p.value - p.lower) / (p.upper - p.lower);
+  return p.fitted && p.upper > p.lower ? place_on(scale_of(p.log, p.lower), p.lower, p.upper, p.value) : NAN;
 }
 
 Html parameter_table(const FitResult& r) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "fit/results/axis_scale.h"
 #include "reports/write/number.h"
 
 namespace swarmfit::plot {
@@ -42,8 +43,8 @@ svg::Text logarithmic_label(double value) {
 }  // namespace
 
 double Axis::place(double value) const {
-  if (logarithmic) return std::log(value / lower) / std::log(upper / lower);
-  return (value - lower) / (upper - lower);
+  const AxisScale scale = logarithmic ? AxisScale::logarithmic : root ? AxisScale::root : AxisScale::linear;
+  return place_on(scale, lower, upper, value);
 }
 
 namespace {

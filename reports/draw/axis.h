@@ -17,6 +17,7 @@ struct Tick {
 struct Axis {
   double lower = 0, upper = 1;       // finite, lower < upper
   bool logarithmic = false;          // then both are positive
+  bool root = false;                 // by square roots; then neither is negative
   std::vector<Tick> ticks{};         // ascending, within the ends
   int exponent = 0;                  // labels are in units of 10^exponent
   double place(double value) const;  // 0 at the lower end, 1 at the upper; beyond them outside of [0, 1]

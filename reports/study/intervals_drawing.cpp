@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/results/axis_scale.h"
 #include "reports/draw/axis.h"
 #include "reports/study/parameter_recovery_html.h"
 #include "reports/write/number.h"
@@ -19,25 +20,22 @@ constexpr double kTick = 2.5;
 // Both axes of a drawing in physical units, scaled as the search's axis is: linear, logarithmic, or by square roots.
 struct Frame {
   plot::Axis truth, found;
-  bool root = false;
-  double place(const plot::Axis& axis, double value) const {
-    if (!root) return axis.place(value);
-    const double lower = std::sqrt(std::max(axis.lower, 0.0));
-    return (std::sqrt(std::max(value, 0.0)) - lower) / (std::sqrt(axis.upper) - lower);
-  }
-  double x(double value) const { return kLeft + kWidth * std::clamp(place(truth, value), 0.0, 1.0); }
-  double y(double value) const { return kBottom - kHeight * std::clamp(place(found, value), 0.0, 1.0); }
+  double x(double value) const { return kLeft + kWidth * std::clamp(truth.place(value), 0.0, 1.0); }
+  double y(double value) const { return kBottom - kHeight * std::clamp(found.place(value), 0.0, 1.0); }
 };
 
 // A little wider than what is drawn, so that nothing lies on the frame; not below zero where there are square roots.
-plot::Axis axis_of(const plot::Range& range, const Frame& f, bool logarithmic, double room) {
+plot::Axis axis_of(const plot::Range& range, AxisScale scale, double room) {
   constexpr double kMargin = 0.05;
-  if (logarithmic) {
+  if (scale == AxisScale::logarithmic) {
     const double more = std::pow(range.upper / range.lower, kMargin);
     return plot::logarithmic(range.lower / more, range.upper * more);
   }
   const double more = kMargin * (range.upper - range.lower), lower = range.lower - more;
-  return plot::linear(f.root ? std::max(lower, 0.0) : lower, range.upper + more, {4, room, true});
+  const bool root = scale == AxisScale::root;
+  plot::Axis axis = plot::linear(root ? std::max(lower, 0.0) : lower, range.upper + more, {4, room, true});
+  axis.root = root;
+  return axis;
 }
 
 Frame frame_of(const ParameterRecovery& r, std::size_t k, const Parameter& row) {
@@ -46,12 +44,9 @@ Frame frame_of(const ParameterRecovery& r, std::size_t k, const Parameter& row) 
     truth.include(c.truth[k]);
     for (const double value : {c.truth[k], c.found[k].lower, c.found[k].median, c.found[k].upper}) found.include(value);
   }
-  const bool logarithmic = row.log && found.lower > 0;
-  Frame f;
-  f.root = !row.log && row.fit.lower == 0 && found.lower >= 0;
-  f.truth = axis_of(truth, f, logarithmic, kWidth);
-  f.found = axis_of(found, f, logarithmic, 0);
-  return f;
+  AxisScale scale = scale_of(row.log, row.fit.lower);
+  if ((scale == AxisScale::logarithmic && found.lower <= 0) || (scale == AxisScale::root && found.lower < 0)) scale = AxisScale::linear;
+  return {axis_of(truth, scale, kWidth), axis_of(found, scale, 0)};
 }
 
 std::string line(const char* look, double x1, double y1, double x2, double y2) {

@@ -291,6 +291,36 @@ TEST_F(Program, SeveralRecordingsGetAFolderEachAndASummary) {
   expect_refused("fit film.csv again/film.csv -m boids", "expected one recording");
 }
 
+TEST_F(Program, OneKindOfAnimalByItself) {
+  std::string all = "id,frame,x,y,kind\n", sheep = all;
+  for (int frame = 0; frame < 12; ++frame)
+    for (int animal = 0; animal < 4; ++animal) {
+      const std::string row = std::to_string(animal) + ',' + std::to_string(frame) + ',' +
+                              std::to_string(animal * 3 + 0.1 * frame * animal) + ',' +
+                              std::to_string(0.2 * frame - 0.01 * frame * frame * animal) + ',' + (animal == 1 ? "1" : "0") + '\n';
+      all += row;
+      if (animal != 1) sheep += row;
+    }
+  write("all.csv", all);
+  write("sheep.csv", sheep);
+  const std::string how = " --fps 10 --unit m --json";
+  const auto facts = [&](const std::string& arguments) {
+    const Result r = run(arguments);
+    EXPECT_EQ(r.code, 0) << r.err;
+    return r.out;
+  };
+  EXPECT_THAT(facts("describe all.csv --kind 0" + how),
+              AllOf(HasSubstr("\"tracks\": 3"), HasSubstr("12 rows of other kinds than 0 were left out")));
+  EXPECT_THAT(facts("describe all.csv" + how), HasSubstr("\"tracks\": 4"));
+  const auto numbers = [&](const std::string& files) {
+    const std::string said = facts("evaluate " + files + how);
+    return said.substr(std::min(said.size(), said.find("\"normalisation\"")));  // without names and hashes of the files
+  };
+  EXPECT_EQ(numbers("all.csv all.csv --kind 0"), numbers("sheep.csv sheep.csv"));
+  EXPECT_NE(numbers("all.csv all.csv"), numbers("sheep.csv sheep.csv"));
+  expect_refused("describe all.csv --kind wolf --fps 10 --unit m", "--kind wolf: nobody in all.csv is of that kind; expected one of 0, 1");
+}
+
 TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
   const std::string job = "recover -m bswarm,boids --seeds 1 --agents 6 --frames 50 --max-evaluations 10 -q ";
   const Result r = run(job + "--out r");
@@ -298,6 +328,10 @@ TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
   EXPECT_THAT(r.out, AllOf(HasSubstr("planted \\ ranked first"), HasSubstr("of 1")));
   ASSERT_EQ(run("recover --config r/config.toml -q --out again").code, 0);
   EXPECT_EQ(content(dir_ / "r/tables/cases.csv"), content(dir_ / "again/tables/cases.csv"));
+  ASSERT_EQ(run(job + R"(--unit 'm"m\x' --out odd)").code, 0);
+  EXPECT_THAT(content(dir_ / "odd/config.toml"), HasSubstr("unit = 'm\"m\\x'\n"));
+  ASSERT_EQ(run("recover --config odd/config.toml -q --out odder").code, 0);
+  EXPECT_EQ(content(dir_ / "odd/config.toml"), content(dir_ / "odder/config.toml"));
   ASSERT_EQ(run(job + "--resolution none --out bare").code, 0);
   EXPECT_THAT(content(dir_ / "bare/config.toml"), HasSubstr("resolution = \"none\""));
   EXPECT_NE(content(dir_ / "r/tables/cases.csv"), content(dir_ / "bare/tables/cases.csv"));
@@ -305,6 +339,8 @@ TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
   expect_refused("recover --parameters -m bswarm,boids", "exactly one model");
   expect_refused("recover -m bswarm,boids --plant brownies", "brownies");
   expect_refused("recover -m bswarm,boids --set speed=3", "model.parameter=value");
+  for (const char* asked : {"recover -m bswarm,boids --set bswarm.chi_res=3", "simulate bswarm --out s.csv --set chi_res=3"})
+    expect_refused(asked, "--set chi_res=3: would do nothing, as there are no stimuli here; expected 0, or no chi_res");
 }
 
 TEST_F(Program, PowerPlantsInTheRecordingsOwnConditions) {
@@ -359,6 +395,33 @@ TEST_F(Program, FitsOneModel) {
   const Result r = run(std::string("fit demo -m boids --json ") + kQuick + "--out f");
   ASSERT_EQ(r.code, 0) << r.err;
   EXPECT_THAT(r.out, AllOf(HasSubstr("\"command\": \"fit\""), HasSubstr("\"rank\": 1")));
+}
+
+// Every job does its share, in any order; together they come to the files of one.
+TEST_F(Program, MergesPartsOfAStudy) {
+  const std::string study = "recover -m brownian,langevin --seeds 2 --agents 6 --frames 40 --max-evaluations 5 -q ";
+  const Result whole = run(study + "--out whole");
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  for (const char* part : {"3", "1", "2"}) {
+    const Result r = run(study + "--out part-" + part + " --part " + part + "/3");
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_THAT(r.out, IsEmpty());
+    EXPECT_FALSE(fs::exists(dir_ / ("part-" + std::string(part)) / "recovery.json")) << "a part is no result";
+  }
+  const Result merged = run("merge part-2 part-1 part-3 -q --out together");
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(merged.out, whole.out);
+  for (const char* file : {"recovery.json", "config.toml", "report.html"})
+    EXPECT_EQ(content(dir_ / "together" / file), content(dir_ / "whole" / file)) << file;
+
+  expect_refused("merge part-1 part-3 --out other", "part 2 of 3 is missing");
+  expect_refused("merge part-1 part-1 part-2 part-3 --out other", "expected each part once");
+  expect_refused("merge whole part-1 --out other", "whole: no finished part");
+  run("recover -m brownian,langevin --seeds 3 --agents 6 --frames 40 --max-evaluations 5 -q --out else --part 1/3");
+  expect_refused("merge part-2 part-3 else --out other", "another study");
+  EXPECT_FALSE(fs::exists(dir_ / "other"));
+  for (const char* part : {"0/3", "4/3", "1", "a/b", "1/3x", "1/"})
+    expect_refused(study + "--out other --part " + part, "expected k/n with k from 1 to n");
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ TEST(CommonDynamics, AllModelsGetTheFirstOnesValuesAndSearchTheRest) {
   const Tracks recording = test::planted_swarm(3);
   auto o = of({"bswarm", "bswarm[noise=white]"});
   o.requests.bounds["gamma"] = {0.005, 0.02};
+  o.requests.set["bswarm.gamma"] = 0.006;  // where its search starts, and no more
   CompareOptions alone = o;
   alone.models.resize(1);
   const Comparison first = compare(recording, alone);

@@ -74,7 +74,7 @@ TEST(Objective, SeparateNormalisationPoolsSamplesBeforeItStandardisesThem) {
   const auto seeds = replicate_seeds({1}, Stream::replicate, 2);
   MetricSamples all;
   for (const auto& seed : seeds) {
-    const auto part = metric_samples(scene.objective.simulate(truth, seed));
+    const auto part = metric_samples(scene.objective.ensemble().run({truth, seed}).seen);
     for (std::size_t m = 0; m < kMetrics; ++m) all.values[m].insert(all.values[m].end(), part.values[m].begin(), part.values[m].end());
   }
   const Energies expected = scene.target.energies(scene.target.distributions(all));
@@ -341,7 +341,8 @@ TEST(Compare, EverythingFixedStillRanks) {
 }
 
 TEST(Compare, InterruptionLeavesNoResult) {
-  EXPECT_THROW(compare(test::planted_swarm(4), tiny({"bswarm"}), [](const CompareProgress&) { return false; }), Interrupted);
+  const swarmfit::Threads stopped([] { return true; });
+  EXPECT_THROW(compare(test::planted_swarm(4), tiny({"bswarm"}), {}, {&stopped}), Interrupted);
 }
 
 TEST(Compare, SyntheticDataAndTwoModelsAreWarnedOf) {

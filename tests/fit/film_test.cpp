@@ -64,7 +64,7 @@ TEST(Comparison, FilmIsTheFirstFinalReplicate) {
   const Rng first = replicate_seeds({options.seed}, Stream::final_seeds, options.budget.final_replicates).front();
   for (const FitResult& fit : c.models) {
     const ModelChoice model = parse_model(fit.model);
-    const Tracks again = Objective(model, conditions, target).simulate(parameter_values(model, fit), first);
+    const Tracks again = Ensemble(model, conditions).run({parameter_values(model, fit), first}).seen;
     expect_equal(fit.film, again);
     EXPECT_EQ(fit.film.rows(), recording.rows()) << fit.model;  // seen where and when the recorded ones are
   }

@@ -90,7 +90,7 @@ TEST(HoldOut, ModelsDoNotKnowWhereTheOtherHalfIs) {
   const Target target(metric_samples(there.recording, there.metrics), {});
   const ModelChoice model = parse_model("langevin");
   const auto still = planted_parameters(model, fitted.scales, {{"tau_v", 0.05}, {"k", 400}, {"sigma_eta", 0}});
-  const Tracks run = Objective(model, there, target).simulate(still, Rng{1});
+  const Tracks run = Ensemble(model, there).run({still, Rng{1}}).seen;
   const auto last = run.frames().back();
   const Eigen::Array3d end = run.pos().middleRows(last.first, last.count).colwise().mean().transpose();
   const double apart = (centre_of(parts.held_out) - centre_of(parts.fitted)).matrix().norm();

@@ -56,7 +56,7 @@ class JournalTest : public testing::Test {
       journal.add(batch);
     }
   }
-  static std::string key(int k) { return Journal::key("model", 1, std::vector<double>{1.0, k + 0.5}, std::vector<Rng>{{7}, {8}}); }
+  static std::string key(int k) { return Journal::key("model", std::vector<double>{1.0, k + 0.5}, std::vector<Rng>{{7}, {8}}); }
   std::string path() const { return (dir_ / "checkpoint").string(); }
   void write(const std::string& bytes) const { std::ofstream(path(), std::ios::binary) << bytes; }
 
@@ -76,14 +76,12 @@ TEST_F(JournalTest, KeepsEveryOutcomeToTheBit) {
   EXPECT_FALSE(journal.find(key(10)));
 }
 
-TEST_F(JournalTest, KeysTellModelsParametersAndSeedsApart) {
+TEST_F(JournalTest, KeysTellEnsemblesParametersAndSeedsApart) {
   const std::vector<double> p{1, 2}, q{1, 2.0000000000000004};
   const std::vector<Rng> one{{7}}, two{{7}, {8}};
-  const auto first = Journal::key("a", 1, p, one);
-  EXPECT_EQ(first, Journal::key("a", 1, p, one));
-  for (const auto& other :
-       {Journal::key("b", 1, p, one), Journal::key("a", 1, q, one), Journal::key("a", 1, p, two), Journal::key("a", 2, p, one)})
-    EXPECT_NE(first, other);
+  const auto first = Journal::key("a", p, one);
+  EXPECT_EQ(first, Journal::key("a", p, one));
+  for (const auto& other : {Journal::key("b", p, one), Journal::key("a", q, one), Journal::key("a", p, two)}) EXPECT_NE(first, other);
 }
 
 TEST_F(JournalTest, TouchesNothingBeforeTheFirstOutcome) {
@@ -165,17 +163,15 @@ TEST_F(JournalTest, AComparisonGoesOnToTheSameResult) {
   };
   {
     Checkpoint checkpoint(path(), kRun, [] {});
-    Journal journal(checkpoint);
-    EXPECT_EQ(scores(compare(recording, options, {}, &journal)), scores(plain));
+    EXPECT_EQ(scores(compare(recording, options, {}, {&threads(), &checkpoint})), scores(plain));
   }
   const std::string whole = read_file(path());
   const std::size_t distinct = Checkpoint(path(), kRun).size();
   for (const std::size_t share : {100, 73, 40, 11, 3}) {
     write(whole.substr(0, whole.size() * share / 100));
     Checkpoint checkpoint(path(), kRun);
-    Journal journal(checkpoint);
-    EXPECT_EQ(scores(compare(recording, options, {}, &journal)), scores(plain)) << share;
-    EXPECT_EQ(Checkpoint(path(), kRun).size(), distinct) << share;  // in whatever order refinements ran
+    EXPECT_EQ(scores(compare(recording, options, {}, {&threads(), &checkpoint})), scores(plain)) << share;
+    EXPECT_EQ(Checkpoint(path(), kRun).size(), distinct) << share;
     if (share == 100) {
       EXPECT_EQ(read_file(path()), whole) << "what was known has been simulated again";
     }

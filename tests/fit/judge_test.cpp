@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "fit/compare/skill_warnings.h"
+#include "fit/experiment/objective.h"
 #include "tests/eval/build.h"
 #include "tests/fit/planted.h"
 
@@ -28,6 +29,10 @@ FitResult named(const std::string& name, double skill, double se) {
   return r;
 }
 
+std::vector<Judged> looks(const Judge& judge, const Ensemble& ensemble, const std::vector<double>& parameters, std::span<const Rng> seeds) {
+  return ensemble.measured<Judged>(jobs_on(parameters, seeds), "", [&](const Run& run, std::size_t) { return judge.look(run); });
+}
+
 // A judge of a recording that bswarm planted, and the model that planted it.
 struct Planted {
   Tracks recording = test::planted_swarm(3);
@@ -40,7 +45,7 @@ struct Planted {
 
   FitResult judged(const Judge& judge, const std::vector<double>& parameters) const {
     FitResult fit;
-    judge.judge(fit, objective, parameters, seeds);
+    judge.judge(fit, looks(judge, objective.ensemble(), parameters, seeds));
     return fit;
   }
   std::vector<double> with_gamma(double factor) const {
@@ -180,11 +185,12 @@ TEST(Judge, ARandomWalkIsAnAnswer) {
   const Conditions conditions = make_conditions(recording, {});
   const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
   const ModelChoice model = parse_model("langevin");
-  const Objective objective(model, conditions, target);
+  const Ensemble ensemble(model, conditions);
   const Judge judge(conditions, kAllUsed, 1);
   Comparison c;
   c.models.emplace_back();
-  judge.judge(c.models[0], objective, scene_parameters(model, {{"sigma_eta", 100}}), replicate_seeds({1}, Stream::final_seeds, 4));
+  judge.judge(c.models[0],
+              looks(judge, ensemble, scene_parameters(model, {{"sigma_eta", 100}}), replicate_seeds({1}, Stream::final_seeds, 4)));
   judge.tell(c);
   EXPECT_EQ(c.skill.null_of, SkillNull::places);
   EXPECT_NEAR(c.skill.walker.value, 1, 0.05);
@@ -250,7 +256,7 @@ TEST(Judge, TellsWhatRefutesAModel) {
   const Judge judge(planted.conditions, kAllUsed, 1);
   EXPECT_THAT(planted.judged(judge, planted.truth).refuted_by, testing::IsEmpty());
   FitResult fit;
-  judge.judge(fit, planted.objective, planted.with_gamma(10), replicate_seeds({1}, Stream::final_seeds, 12));
+  judge.judge(fit, looks(judge, planted.objective.ensemble(), planted.with_gamma(10), replicate_seeds({1}, Stream::final_seeds, 12)));
   ASSERT_THAT(fit.refuted_by, testing::Not(testing::IsEmpty()));
   EXPECT_TRUE(std::any_of(fit.refuted_by.begin(), fit.refuted_by.end(), [](const Refutation& f) { return f.item.key == "speed"; }));
 }

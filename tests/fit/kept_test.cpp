@@ -87,9 +87,9 @@ TEST_F(KeptTest, ParametersSurviveToTheBit) {
   one.median_place = {0.5, 0.6};
   one.width = {0.1, 1};
   const std::string bytes = bytes_of(one);
-  Taker from(bytes);
+  ByteReader from(bytes);
   ParameterCase again;
-  take(from, again);
+  from.take(again);
   EXPECT_TRUE(from.ended());
   EXPECT_EQ(bytes_of(again), bytes);
   ASSERT_EQ(again.found.size(), 2u);

@@ -87,7 +87,8 @@ TEST(ParameterRecovery, SumsUpItsCases) {
 }
 
 TEST(ParameterRecovery, CanBeInterrupted) {
-  EXPECT_THROW(recover_parameters(brownian(2), [](std::size_t) { return false; }), Interrupted);
+  const swarmfit::Threads stopped([] { return true; });
+  EXPECT_THROW(recover_parameters(brownian(2), {}, {&stopped}), Interrupted);
 }
 
 }  // namespace

@@ -20,10 +20,19 @@ using Eigen::VectorXd;
 
 constexpr int kGrid = 200;
 
+Simulator in_turn(const std::function<std::optional<VectorXd>(const Point&, const Rng&)>& simulate) {
+  return [simulate](const std::vector<Draw>& draws) {
+    std::vector<std::optional<VectorXd>> out;
+    for (const Draw& draw : draws) out.push_back(simulate(draw.x, draw.rng));
+    return out;
+  };
+}
+
 // A problem whose posterior is known up to integrals on a grid.
 struct Toy {
   int dimensions;
-  Simulator simulate;
+  std::function<std::optional<VectorXd>(const Point&, const Rng&)> simulate;  // one
+  Simulator all() const { return in_turn(simulate); }
   std::function<double(const VectorXd& features, const Point& x)> log_likelihood;  // up to a constant
 };
 
@@ -141,7 +150,7 @@ std::vector<Trial> trials(const Toy& toy, int count, const PosteriorOptions& opt
     Point truth(toy.dimensions);
     for (Index a = 0; a < truth.size(); ++a) truth[a] = rng.uniform(Stream::probe, 0, static_cast<std::uint32_t>(a));
     const VectorXd observed = *toy.simulate(truth, rng.derive(Stream::probe, 1));
-    out.push_back({truth, posterior(observed, toy.dimensions, toy.simulate, rng, options), {}});
+    out.push_back({truth, posterior(observed, toy.dimensions, toy.all(), rng, options), {}});
     const auto exact = exact_marginals(toy, observed);
     for (std::size_t a = 0; a < exact.size(); ++a)
       out.back().distances.push_back(distance(out.back().posterior, static_cast<Index>(a), exact[a]));
@@ -181,7 +190,7 @@ TEST(Posterior, ResidualsAreRescaledWhereTheSpreadDependsOnTheParameter) {
   observed[0] = 0.15;
   double width = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Marginal m = posterior(observed, 1, toy.simulate, Rng{seed}, {1, 600, 0.9}).marginals[0];
+    const Marginal m = posterior(observed, 1, toy.all(), Rng{seed}, {1, 600, 0.9}).marginals[0];
     width += (m.upper - m.lower) / 20;
   }
   EXPECT_LT(width, 0.35);
@@ -196,7 +205,8 @@ TEST(Posterior, WhatNothingDependsOnKeepsThePriorsVariance) {
       for (int k = 0; k < 8; ++k) f[k] = normal(rng, static_cast<std::uint64_t>(k));
       return f;
     };
-    for (const Marginal& m : posterior(VectorXd::Zero(8), 8, noise, Rng{seed}, {1, 330, 0.3}).marginals) contraction += m.contraction / 160;
+    for (const Marginal& m : posterior(VectorXd::Zero(8), 8, in_turn(noise), Rng{seed}, {1, 330, 0.3}).marginals)
+      contraction += m.contraction / 160;
   }
   EXPECT_NEAR(contraction, 0, 0.06);
 }
@@ -218,7 +228,7 @@ TEST(Posterior, OfTwoThatOnlyCountTogetherIsARidge) {
   const Toy toy = sum_of_two();
   VectorXd observed(3);
   observed << 1.0, 0, 0;
-  const Posterior p = posterior(observed, 2, toy.simulate, Rng{7}, {3, 300, 0.3});
+  const Posterior p = posterior(observed, 2, toy.all(), Rng{7}, {3, 300, 0.3});
   for (std::size_t a = 0; a < 2; ++a) {
     EXPECT_EQ(p.marginals[a].verdict, Identifiability::flat);
     EXPECT_EQ(p.marginals[a].partner, static_cast<int>(1 - a));
@@ -269,7 +279,7 @@ TEST(Posterior, SameSeedSameBitsForAnyNumberOfThreads) {
   std::vector<Posterior> all;
   for (const int threads : {1, 2, 3}) {
     omp_set_num_threads(threads);
-    all.push_back(posterior(observed, 3, toy.simulate, Rng{11}, {2, 150, 0.3}));
+    all.push_back(posterior(observed, 3, toy.all(), Rng{11}, {2, 150, 0.3}));
   }
   omp_set_num_threads(before);
   for (const Posterior& p : all) {
@@ -277,7 +287,7 @@ TEST(Posterior, SameSeedSameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(p.weight, all[0].weight);
     EXPECT_EQ(p.marginals[0].upper, all[0].marginals[0].upper);
   }
-  EXPECT_NE(posterior(observed, 3, toy.simulate, Rng{12}, {2, 150, 0.3}).sample, all[0].sample);
+  EXPECT_NE(posterior(observed, 3, toy.all(), Rng{12}, {2, 150, 0.3}).sample, all[0].sample);
 }
 
 TEST(Posterior, RunsThatBlowUpAreCountedAndWeighNothing) {
@@ -290,7 +300,7 @@ TEST(Posterior, RunsThatBlowUpAreCountedAndWeighNothing) {
   };
   VectorXd observed = VectorXd::Zero(21);
   observed[0] = 0.7;
-  const Posterior p = posterior(observed, 1, fragile, Rng{3}, {2, 400, 0.3});
+  const Posterior p = posterior(observed, 1, in_turn(fragile), Rng{3}, {2, 400, 0.3});
   EXPECT_NEAR(p.rounds[0].blew_up, 0.3 * 400, 3 * std::sqrt(400 * 0.3 * 0.7));
   EXPECT_EQ(p.rounds[0].in_box, 400 - p.rounds[0].blew_up);
   EXPECT_LE(p.rounds[1].in_box, 800 - p.rounds[0].blew_up - p.rounds[1].blew_up);
@@ -300,26 +310,26 @@ TEST(Posterior, RunsThatBlowUpAreCountedAndWeighNothing) {
 
 TEST(Posterior, WithoutChanceIsAPointAndWithoutInformationThePrior) {
   const auto exact = [](const Point& x, const Rng&) { return std::optional<VectorXd>(x); };
-  const Posterior point = posterior(Point::Constant(2, 0.3), 2, exact, Rng{1}, {3, 200, 0.3});
+  const Posterior point = posterior(Point::Constant(2, 0.3), 2, in_turn(exact), Rng{1}, {3, 200, 0.3});
   EXPECT_NEAR(point.marginals[1].median, 0.3, 0.01);
   EXPECT_LT(point.marginals[1].upper - point.marginals[1].lower, 0.05);
   const auto constant = [](const Point&, const Rng&) { return std::optional<VectorXd>(VectorXd::Ones(3)); };
-  const Posterior prior = posterior(VectorXd::Ones(3), 2, constant, Rng{1}, {2, 300, 0.3});
+  const Posterior prior = posterior(VectorXd::Ones(3), 2, in_turn(constant), Rng{1}, {2, 300, 0.3});
   EXPECT_EQ(prior.marginals[0].verdict, Identifiability::flat);
   EXPECT_NEAR(prior.marginals[0].median, 0.5, 0.1);
 }
 
 TEST(Posterior, IsThePriorWhereNothingEndsWell) {
   const Box start{Point::Zero(2), Point::Constant(2, 0.5)};
-  const Posterior p = posterior(
-      VectorXd::Zero(2), 2, [](const Point&, const Rng&) { return std::nullopt; }, Rng{1}, {2, 50, 0.3}, &start);
+  const Posterior p =
+      posterior(VectorXd::Zero(2), 2, in_turn([](const Point&, const Rng&) { return std::nullopt; }), Rng{1}, {2, 50, 0.3}, &start);
   EXPECT_TRUE(p.sample.empty());
   EXPECT_EQ(p.rounds[1].blew_up, 50);
   EXPECT_EQ(p.marginals[1].verdict, Identifiability::flat);
   EXPECT_NEAR(p.marginals[1].upper, 0.4875, 1e-12);
   VectorXd undefined = VectorXd::Zero(2);
   undefined[1] = NAN;
-  EXPECT_THROW(posterior(undefined, 2, sum_of_two().simulate, Rng{1}), std::invalid_argument);
+  EXPECT_THROW(posterior(undefined, 2, sum_of_two().all(), Rng{1}), std::invalid_argument);
 }
 
 TEST(Posterior, StaysInTheBoxItStartedFromAndSaysWhenItReachesABound) {
@@ -327,10 +337,10 @@ TEST(Posterior, StaysInTheBoxItStartedFromAndSaysWhenItReachesABound) {
   VectorXd observed = VectorXd::Zero(21);
   observed[0] = 0.7;
   const Box start{Point::Constant(1, 0.2), Point::Constant(1, 0.7)};
-  const Posterior p = posterior(observed, 1, toy.simulate, Rng{3}, {3, 300, 0.3}, &start);
+  const Posterior p = posterior(observed, 1, toy.all(), Rng{3}, {3, 300, 0.3}, &start);
   for (const Point& x : p.sample) EXPECT_TRUE(x[0] >= 0.2 && x[0] <= 0.7);
   EXPECT_EQ(p.marginals[0].verdict, Identifiability::one_sided);
-  const Posterior free = posterior(observed, 1, toy.simulate, Rng{3}, {3, 300, 0.3});
+  const Posterior free = posterior(observed, 1, toy.all(), Rng{3}, {3, 300, 0.3});
   EXPECT_EQ(free.marginals[0].verdict, Identifiability::identified);
   EXPECT_NEAR(free.marginals[0].median, 0.7, 0.03);
   EXPECT_NEAR(free.marginals[0].contraction, 1 - 12 * 0.01, 0.06) << "a variance of 0.1² of 1/12";
@@ -340,7 +350,7 @@ TEST(Posterior, RoundsNarrowTheBoxAndReuseWhatLiesInIt) {
   const Toy toy = mean_with_error([](double) { return 0.02; });
   VectorXd observed = VectorXd::Zero(21);
   observed[0] = 0.5;
-  const Posterior p = posterior(observed, 1, toy.simulate, Rng{3}, {3, 200, 0.3});
+  const Posterior p = posterior(observed, 1, toy.all(), Rng{3}, {3, 200, 0.3});
   EXPECT_EQ(p.rounds[0].volume, 1);
   EXPECT_LT(p.rounds[2].volume, 0.3);
   EXPECT_GT(p.rounds[2].volume, 4 * 0.02);
@@ -419,9 +429,9 @@ TEST(RunFeatures, OfSimulationsAreAsManyAndFinite) {
   for (std::uint64_t k = 0; k < 10; ++k) {
     Point x(fit.space.dimensions());
     for (Index a = 0; a < x.size(); ++a) x[a] = Rng{3}.uniform(Stream::probe, k, static_cast<std::uint32_t>(a));
-    const auto seen = fit.objective.finished(fit.space.parameters(x), Rng{k});
-    ASSERT_TRUE(seen);
-    const VectorXd f = features(*seen);
+    const auto run = fit.objective.ensemble().run({fit.space.parameters(x), Rng{k}});
+    ASSERT_FALSE(run.blew_up);
+    const VectorXd f = features(run.seen);
     EXPECT_EQ(f.size(), recorded.size());
     EXPECT_TRUE(f.allFinite());
   }
@@ -433,7 +443,7 @@ TEST(ParameterPosterior, NamesWhatItSearchedInPhysicalUnits) {
   std::vector<ParameterPosterior> all;
   for (const int threads : {1, 2}) {
     omp_set_num_threads(threads);
-    all.push_back(posterior_of(fit.space, fit.objective, fit.conditions, fit.target, Rng{1}, {2, 150, 0.4}));
+    all.push_back(posterior_of(fit.space, fit.objective, Rng{1}, {2, 150, 0.4}));
   }
   omp_set_num_threads(before);
   EXPECT_EQ(all[0].posterior.sample, all[1].posterior.sample);
@@ -451,7 +461,7 @@ TEST(ParameterPosterior, NamesWhatItSearchedInPhysicalUnits) {
 
 // As the speed of a model in which all fly equally fast: boxes shrink to it, but never to nothing.
 TEST(Posterior, ACoordinateThatIsReadOffExactlyStaysFinite) {
-  const Simulator simulate = [](const Point& x, const Rng&) -> std::optional<VectorXd> { return VectorXd{{x[0] - 0.37}}; };
+  const Simulator simulate = in_turn([](const Point& x, const Rng&) { return std::optional(VectorXd{{x[0] - 0.37}}); });
   const Posterior found = posterior(VectorXd{{0.0}}, 1, simulate, {3}, {40, 60});
   ASSERT_FALSE(found.sample.empty());
   for (const Point& x : found.sample) EXPECT_TRUE(x[0] >= 0 && x[0] <= 1) << x[0];

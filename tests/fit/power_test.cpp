@@ -61,7 +61,6 @@ TEST(Power, PlantsWhatWasFitted) {
   const Power p = power(recording, tiny(), [&](std::size_t done, std::size_t all) {
     told.push_back(done);
     EXPECT_EQ(all, 5u);
-    return true;
   });
   EXPECT_THAT(told, ElementsAre(0, 1, 2, 3, 4, 5));
   EXPECT_THAT(p.recovery.planted, ElementsAre("brownian", "boids"));
@@ -78,7 +77,8 @@ TEST(Power, PlantsWhatWasFitted) {
 }
 
 TEST(Power, CanBeInterrupted) {
-  EXPECT_THROW(power(test::planted_swarm(3), tiny(), [](std::size_t done, std::size_t) { return done < 1; }), Interrupted);
+  const swarmfit::Threads stopped([] { return true; });
+  EXPECT_THROW(power(test::planted_swarm(3), tiny(), {}, {{}, {&stopped}}), Interrupted);
 }
 
 }  // namespace

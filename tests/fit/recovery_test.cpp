@@ -119,7 +119,8 @@ TEST(Recovery, SeedsCountUpFromTheOneAskedFor) {
 }
 
 TEST(Recovery, CanBeInterrupted) {
-  EXPECT_THROW(recover_models(tiny(), [](const RecoveryCase&) { return false; }), Interrupted);
+  const swarmfit::Threads stopped([] { return true; });
+  EXPECT_THROW(recover_models(tiny(), {}, {{}, {&stopped}}), Interrupted);
 }
 
 }  // namespace

@@ -181,11 +181,11 @@ TEST(Refutations, HardlyEverOfTheTruth) {
       options.steps = 10;  // as filmed
       const Conditions conditions = make_conditions(recording, options);
       const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
-      const Objective objective(model, conditions, target);
+      const Ensemble ensemble(model, conditions);
       const PanelPlan plan = panel_plan(recording);
       std::vector<Panel> runs;
       for (const Rng& s : replicate_seeds({seed}, Stream::final_seeds, 24))
-        if (const auto tracks = objective.finished(truth, s)) runs.push_back(panel(*tracks, plan));
+        if (const auto run = ensemble.run({truth, s}); !run.blew_up) runs.push_back(panel(run.seen, plan));
       refuted += !refutations(plan, panel_with_error(recording, plan), runs).empty();
     }
   }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <omp.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "fit/study/recovery.h"
@@ -25,11 +26,10 @@ struct Scene {
     options.error = ConditionOptions::Error::none;
     conditions = make_conditions(recording, options);
   }
-  std::vector<Point> points(
-      const ScoutSize& size, const OnScout& on_scout = [](std::int64_t) { return true; }) const {
+  std::vector<Point> points(const ScoutSize& size, const OnScout& on_scout = {}, const Executor& executor = threads()) const {
     const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
-    const Objective objective(model, conditions, target);
-    return scout(SearchSpace(model, conditions.scales, {}), objective, conditions, target, {1}, size, on_scout);
+    const Objective objective(model, conditions, target, {&executor});
+    return scout(SearchSpace(model, conditions.scales, {}), objective, {1}, size, on_scout);
   }
 
   ModelChoice model;
@@ -70,9 +70,14 @@ TEST(Scout, SameBitsForAnyNumberOfThreads) {
 
 // In the fourth round, when there is a sample already.
 TEST(Scout, EndsWhenToldTo) {
-  std::int64_t told = 0;
-  EXPECT_TRUE(Scene("brownian", 1).points({4, 100}, [&](std::int64_t done) { return told = done, done < 350; }).empty());
-  EXPECT_EQ(told, 350);
+  std::atomic<int> asked = 0;
+  const Threads stopping([&] { return ++asked > 350; });
+  std::vector<std::int64_t> told;
+  EXPECT_THROW(Scene("brownian", 1)
+                   .points(
+                       {4, 100}, [&](std::int64_t done) { told.push_back(done); }, stopping),
+               Interrupted);
+  EXPECT_EQ(told, (std::vector<std::int64_t>{100, 200, 300}));
 }
 
 }  // namespace

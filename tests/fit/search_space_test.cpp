@@ -143,15 +143,16 @@ TEST(SearchSpace, EmptyBoundsAreRefused) {
   EXPECT_THROW(SearchSpace(parse_model("bswarm"), kScales, requests), InputError);
 }
 
+std::string refusal(const char* model, const ParameterRequests& requests) {
+  try {
+    SearchSpace(parse_model(model), kScales, requests);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
 TEST(SearchSpace, IllegalValuesAreRefused) {
-  const auto refusal = [](const char* model, const ParameterRequests& requests) -> std::string {
-    try {
-      SearchSpace(parse_model(model), kScales, requests);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "";
-  };
   const auto set = [](const char* name, double value) { return ParameterRequests{{{name, value}}, {}, {}}; };
   EXPECT_THAT(refusal("boids", set("speed", -5)), HasSubstr("--set speed=-5: is not allowed; expected a number greater than 0"));
   EXPECT_THAT(refusal("boids", set("speed", 0)), HasSubstr("greater than 0"));
@@ -161,6 +162,15 @@ TEST(SearchSpace, IllegalValuesAreRefused) {
   EXPECT_THAT(refusal("boids", {{}, {}, {{"radius", {-1, 1}}}}), HasSubstr("--bounds radius=-1"));
   EXPECT_EQ(refusal("brownian", set("gamma1", -5)), "") << "friction";
   EXPECT_EQ(refusal("boids", {{}, {}, {{"radius", {0, 1}}}}), "");
+}
+
+// Neither recordings nor scenes have stimuli yet.
+TEST(SearchSpace, RefusesWhatWouldDoNothing) {
+  EXPECT_EQ(refusal("bswarm", {{{"chi_res", 4}}, {}, {}}),
+            "--set chi_res=4: would do nothing, as there are no stimuli here; expected 0, or no chi_res");
+  EXPECT_THAT(refusal("bswarm", {{}, {}, {{"r_res", {0, 3}}}}), HasSubstr("--bounds r_res=3: would do nothing"));
+  EXPECT_EQ(refusal("bswarm", {{{"chi_res", 0}}, {}, {}}), "");
+  EXPECT_EQ(refusal("bswarm", {{}, {{"chi_res", true}}, {}}), "");
 }
 
 TEST(CheckRequests, NamesTheParametersThereAre) {

@@ -36,8 +36,8 @@ struct Case {
   }
 
   int settled() {
-    settle_steps(objective, target, {truth}, replicate_seeds({1}, Stream::selection, 12));
-    return objective.steps();
+    settle_steps(objective, target, {truth}, replicate_seeds({1}, Stream::selection, 12), objective.ensemble().stable_steps());
+    return objective.ensemble().steps();
   }
 };
 
@@ -50,11 +50,11 @@ TEST(TimeStep, OneIsEnoughWhereStepsAreExact) {
 // Boids turn towards unit vectors, which flip from step to step: ten per frame were filmed, and one is another motion.
 TEST(TimeStep, MoreWhereOneChangesEnergies) {
   Case boids("boids", 25, 150);
-  const int before = boids.objective.steps(), steps = boids.settled();
+  const int before = boids.objective.ensemble().steps(), steps = boids.settled();
   EXPECT_GT(steps, before);
   EXPECT_LE(steps, 16 * before);
   const auto seeds = replicate_seeds({2}, Stream::selection, 12);
-  EXPECT_EQ(boids.objective.steps(), steps) << "the objective keeps them";
+  EXPECT_EQ(boids.objective.ensemble().steps(), steps) << "the objective keeps them";
   boids.objective.use_steps(before);
   const Outcome coarse = boids.objective.evaluate(boids.truth, seeds);
   EXPECT_FALSE(same_energies(coarse, boids.objective.evaluate(boids.truth, seeds, 2), boids.target));
@@ -63,9 +63,9 @@ TEST(TimeStep, MoreWhereOneChangesEnergies) {
 TEST(TimeStep, MapsTakeOne) {
   for (const char* name : {"vicsek", "zonal", "bswarm[noise=gaussian,noise_scaling=literal]"}) {
     Case map(name, 5, 60);
-    EXPECT_EQ(map.objective.steps(), 1) << name;
+    EXPECT_EQ(map.objective.ensemble().steps(), 1) << name;
     map.objective.use_steps(7);
-    EXPECT_EQ(map.objective.steps(), 1) << name;
+    EXPECT_EQ(map.objective.ensemble().steps(), 1) << name;
   }
 }
 
@@ -95,7 +95,7 @@ TEST(TimeStep, SameEnergies) {
 TEST(TimeStep, FitsFarOffAreSteppedLess) {
   Case slow("boids", 25, 150, {{"speed", 225.0}});
   slow.truth[0] = 900;  // everybody at four times the recorded speed, all over the place
-  const int before = slow.objective.steps();
+  const int before = slow.objective.ensemble().steps();
   const Outcome outcome = slow.objective.evaluate(slow.truth, replicate_seeds({2}, Stream::selection, 12));
   ASSERT_TRUE(far_off(outcome, slow.target));
   EXPECT_LE(slow.settled(), kFarSteps * before);

@@ -93,13 +93,14 @@ struct Banned {
   std::string_view pattern;
 };
 
-const std::array<Banned, 4> kBanned{{
+const std::array<Banned, 5> kBanned{{
     {"prints", R"(\bstd::(cout|cerr|clog)\b|\b(printf|vprintf|puts|putchar|perror)\s*\(|\bfmt::print\b|\b(stdout|stderr)\b|<iostream>)"},
     {"reads the clock",
      R"(\bstd::(time|clock)\b|\b(system|steady|high_resolution|utc)_clock\b|\btime\s*\(\s*(NULL|nullptr|0)\s*\)|\b(gettimeofday|clock_gettime|omp_get_wtime)\b)"},
     {"reads the environment", R"(\b(secure_)?getenv\b)"},
     {"draws random numbers that are not ours",
      R"(\brandom_device\b|\bs?rand\s*\(|\bstd::(\w+_distribution|mt19937\w*|default_random_engine|shuffle|sample)\b|\bsetRandom\b|::Random\s*\(|<random>)"},
+    {"makes a model without make_model, which checks what it asks for", R"(\bspec\s*(\.|->)\s*make\s*\()"},
 }};
 
 // ---- reading a source ---------------------------------------------------------------------------------------------------------

@@ -23,6 +23,17 @@ TEST(Axis, TicksAreRound) {
   EXPECT_THAT(labels(linear(0.3, 0.4, {2})), ElementsAre("0.30", "0.35", "0.40")) << "the ends are ticks in spite of rounding";
 }
 
+TEST(Axis, PlacesByRootsAndLogarithms) {
+  Axis axis{.lower = 0, .upper = 16};
+  EXPECT_DOUBLE_EQ(axis.place(4), 0.25);
+  axis.root = true;
+  EXPECT_DOUBLE_EQ(axis.place(4), 0.5);
+  axis.lower = 1;
+  EXPECT_DOUBLE_EQ(axis.place(4), 1. / 3);
+  axis.logarithmic = true;
+  EXPECT_DOUBLE_EQ(axis.place(4), 0.5);
+}
+
 TEST(Axis, LongLabelsAreInPowersOfAThousand) {
   const Axis large = linear(0, 250000, {4, 0, true}), small = linear(0, 0.0066, {4, 0, true});
   EXPECT_EQ(large.exponent, 3);

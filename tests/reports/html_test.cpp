@@ -48,6 +48,15 @@ constexpr const char* kHostile = "</title></script><img src=x onerror=\"alert('1
 
 TEST(Html, EscapesEveryMarkupCharacter) { EXPECT_EQ(html_escaped("<a b=\"c\" d='e'>&"), "&lt;a b=&quot;c&quot; d=&#39;e&#39;&gt;&amp;"); }
 
+// A quarter of a range that begins at zero lies in the middle of the axis along which it was searched, that of square roots.
+TEST(Report, PlacesBetweenBoundsAreThoseOfTheSearch) {
+  Comparison c = sample_comparison();
+  const auto middle = [&] { return occurrences(report_html(c), "<circle cx=\"56.00\" cy=\"7\" r=\"5\"/>"); };
+  EXPECT_EQ(middle(), 0u);
+  c.models[0].parameters[2].value = c.models[0].parameters[2].upper / 4;
+  EXPECT_EQ(middle(), 1u);
+}
+
 TEST(Report, HasEverySectionAndNoPlaceholderLeft) {
   const std::string page = markup_of(report_html(sample_comparison()));
   for (const char* id : {"ranking", "distributions", "energies", "parameters", "search", "observation", "methods", "repeat"})

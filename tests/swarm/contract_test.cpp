@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "libswarm/stimuli.h"
+#include "libswarm/walls.h"
 #include "tests/swarm/lane.h"
 
 namespace swarmfit {
@@ -107,8 +108,10 @@ TEST(EverySpec, TableIsSound) {
       EXPECT_GE(o.values.size(), 2u) << o.name;
       EXPECT_EQ(std::set(o.values.begin(), o.values.end()).size(), o.values.size()) << o.name;
     }
-    for (const Parameter& p : spec.parameters) {
+    for (std::size_t k = 0; k < spec.parameters.size(); ++k) {
+      const Parameter& p = spec.parameters[k];
       SCOPED_TRACE(p.name);
+      EXPECT_EQ(p.row, k) << "the model's enum calls this row something else";
       EXPECT_TRUE(parameters.insert(p.name).second);
       EXPECT_FALSE(p.meaning.empty());
       EXPECT_FALSE(p.source.empty());
@@ -200,7 +203,6 @@ TEST_P(EveryModel, SameBitsForAnyNumberOfThreads) {
 // Agents keep their ids but stand in other rows: only the order of sums may change.
 TEST_P(EveryModel, RowOrderDoesNotMatter) {
   const Made made = make(GetParam());
-  if (made.choice.spec->update == Update::sequential) GTEST_SKIP() << "sequential models depend on the order";
   Lane a = busy(made, 40, 3), b = busy(made, 40, 3);
   std::vector<Index> order(40);
   std::iota(order.begin(), order.end(), Index{0});
@@ -263,6 +265,20 @@ TEST_P(EveryModel, StaysInsideTheBounds) {
   }
 }
 
+TEST_P(EveryModel, StaysOutsideObstaclesThatItDoesNotKnow) {
+  const Made made = make(GetParam());
+  Lane lane = busy(made, 40, 3);
+  const Walls walls({{.shape = Obstacle::Shape::box, .lower = {1, 0, 0}, .upper = {1.1, 3, 3}},
+                     {.shape = Obstacle::Shape::sphere, .centre = {2, 2, 2}, .radius = 0.6, .wall = Bounds::Wall::slip}});
+  lane.world.add(walls.clone());
+  Recorded out;
+  lane.out = &out;
+  run(made, {.frame_dt = 0.01, .frames = 101}, lane);
+  EXPECT_FALSE(lane.blew_up);
+  for (std::size_t m = 1; m < out.moments.size(); ++m)  // some start inside
+    for (Index i = 0; i < lane.state.size(); ++i) EXPECT_FALSE(walls.hold(out.moments[m].pos.row(i).transpose(), 3)) << "frame " << m;
+}
+
 TEST_P(EveryModel, AgentsComeAndGo) {
   const Made made = make(GetParam());
   Lane lane = busy(made, 20, 2);
@@ -304,9 +320,8 @@ TEST_P(EveryModel, ManyRandomCandidatesMoveAboutAsFastAsTheRecording) {
     swarmfit::Setup setup;  // not testing::Test::Setup
     const Tracks reference = recording_of(crowd(make(GetParam()), r.agents, 2 * r.scales.extent, r.scales.speed).state);
     setup.reference = &reference;
-    setup.options = choice.options;
     setup.scales = r.scales;
-    const Made made{choice, choice.spec->make(setup)};
+    const Made made{choice, make_model(choice, setup)};
     Plan plan{.frame_dt = r.dt, .substeps = stable_steps(choice, r.scales, r.dt), .frames = 150};
     int matching = 0;
     const std::uint32_t candidates = 100;

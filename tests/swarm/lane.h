@@ -19,11 +19,7 @@ struct Made {
 
 inline Made make(std::string_view name, int dims = 3, const Tracks* reference = nullptr) {
   Made made{parse_model(name), nullptr};
-  Setup setup;
-  setup.reference = reference;
-  setup.dims = dims;
-  setup.options = made.choice.options;
-  made.model = made.choice.spec->make(setup);
+  made.model = make_model(made.choice, {.dims = dims, .reference = reference});
   return made;
 }
 

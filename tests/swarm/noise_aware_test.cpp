@@ -218,9 +218,8 @@ Tracks recording(const std::vector<Array3d>& places) {
 double radial_speed(const Tracks* reference, const Bounds& bounds, const Array3d& centre, const Array3d& x) {
   const ModelChoice choice = parse_model("noise_aware");
   swarmfit::Setup setup;
-  setup.options = choice.options;
   setup.reference = reference;
-  const Made made{choice, choice.spec->make(setup)};
+  const Made made{choice, make_model(choice, setup)};
   Lane lane = caged(made);
   lane.world.bounds = bounds;
   lane.state.spawn(0, x, {0, 0, 0});

@@ -60,6 +60,24 @@ TEST(ParseModel, ErrorsNameWhatIsLegal) {
   EXPECT_THAT(error_of(""), HasSubstr("expected one of"));
 }
 
+// Described while the program runs, from text that is gone afterwards.
+TEST(ParseModel, FindsModelsThatTheCallerDescribes) {
+  std::vector<ModelSpec> mine(1);
+  {
+    const std::string name = "described in " + std::to_string(2026), value = "rather slow and quite long for a string";
+    mine[0].name = name;
+    mine[0].options = {{.name = "how", .values = {"fast", value}, .meaning = "pace"}};
+    mine[0].parameters = {{.name = name + "'s own", .when = "how=fast"}};
+  }
+  const ModelChoice choice = parse_model("described in 2026[how=rather slow and quite long for a string]", mine);
+  EXPECT_EQ(choice.spec, mine.data());
+  EXPECT_EQ(choice.name, "described in 2026[how=rather slow and quite long for a string]");
+  EXPECT_EQ(mine[0].find("described in 2026's own"), 0);
+  EXPECT_FALSE(mine[0].uses(0, choice.options));
+  EXPECT_EQ(parse_model("boids", mine).spec->name, "boids");
+  EXPECT_THAT(error_of("described in 2026"), HasSubstr("unknown"));
+}
+
 TEST(ModelSpec, UsesFollowsTheOptions) {
   const auto uses = [](std::string_view model, std::string_view parameter) {
     const ModelChoice choice = parse_model(model);

@@ -9,6 +9,7 @@
 #include <new>
 #include <set>
 
+#include "libtrack/error.h"
 #include "tests/swarm/lane.h"
 
 namespace {
@@ -106,6 +107,20 @@ TEST(Simulate, HalvesAtMostThrice) {
   EXPECT_FALSE(model.asked[3].can_halve);
   EXPECT_DOUBLE_EQ(model.asked[3].dt, 0.125);
   EXPECT_FALSE(lane.blew_up);
+}
+
+TEST(Simulate, HalvingWhereItMayNotBeIsAnError) {
+  struct Stubborn : Straight {
+    Step step(const State&, State&, const World&, const StepContext&) const override { return Step::halve_dt; }
+  };
+  Lane lane = straight_lane(nullptr);
+  try {
+    cpu_backend().run(Stubborn{}, {.frame_dt = 0.5, .first_frame = 4, .frames = 3}, {&lane, 1});
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "model unnamed: asks for half a step at 2 s, after 3 halvings; expected a step as long as it is where it may not halve");
+  }
 }
 
 TEST(Simulate, StopsWhenMotionBlowsUp) {

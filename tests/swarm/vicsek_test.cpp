@@ -154,9 +154,8 @@ TEST(Vicsek, PathDoesNotDependOnTheStep) {
     for (const bool recorded : {false, true}) {
       const ModelChoice choice = parse_model(model);
       swarmfit::Setup setup;
-      setup.options = choice.options;
       if (recorded) setup.reference = &recording;
-      const Made made{choice, choice.spec->make(setup)};
+      const Made made{choice, make_model(choice, setup)};
       const auto end = [&](int substeps, double frame_dt) {
         Lane lane = torus(made, 60, 3, 3);
         if (recorded) set(made, lane, "tau", 0);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "libtrack/cut.h"
 #include "libtrack/kinematics.h"
 #include "tests/track/build.h"
 
@@ -135,6 +136,8 @@ TEST(RealFiles, SheepDogAndShepherd) {
   EXPECT_EQ(tracks.frames().size(), 8556u);
   EXPECT_EQ(tracks.rows(), 16 * 8556);
   EXPECT_EQ(tracks.episodes().size(), 28u) << "29 drives";
+  EXPECT_EQ(kind_named(tracks, "dog"), 1);
+  EXPECT_EQ(of_kind(tracks, 0).track_count(), 14u);
   EXPECT_EQ(tracks.dt(), 0.1);
   EXPECT_EQ(tracks.dims(), 2);
   const auto v = forward_velocity(tracks);

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "fit/experiment/ensemble.h"
+
+#include <algorithm>
+
+#include "fit/experiment/observe.h"
+#include "libtrack/file.h"
+#include "libtrack/kinematics.h"
+
+namespace swarmfit {
+namespace {
+
+constexpr double kEscapeSpeed = 1e3;       // in units of the recorded mean speed: nothing recorded moves like that
+constexpr std::size_t kKeptTogether = 64;  // runs between two records of a checkpoint, at most: what a kill costs
+
+// Two parts of a recording, or two recordings of a study, may be compared in one run.
+std::string fingerprint(const Conditions& c) {
+  std::string bytes;
+  const TrackColumns& columns = c.recording.columns();
+  put(bytes, columns.track);
+  put(bytes, columns.frame);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double* first = columns.pos.data() + axis * columns.pos.rows();
+    put(bytes, std::vector<double>(first, first + columns.pos.rows()));
+    put(bytes, c.sigma[axis]);
+  }
+  return sha256_hex(bytes);
+}
+
+std::string key_of(const std::string& identity, const std::string& name, const Job& job) {
+  std::string bytes = identity;
+  put(bytes, name);
+  put(bytes, job.parameters);
+  put(bytes, job.seed);
+  return sha256_hex(bytes);
+}
+
+}  // namespace
+
+Ensemble::Ensemble(const ModelChoice& model, const Conditions& conditions, const Runtime& runtime)
+    : conditions_(conditions), runtime_(runtime), choice_(model) {
+  const Tracks& recording = conditions.recording;
+  const Tracks* reference = conditions.reference ? conditions.reference.get() : &recording;
+  plan_.frame_dt = recording.dt();
+  stable_steps_ = swarmfit::stable_steps(model, conditions.scales, recording.dt());
+  use_steps(conditions.options.steps > 0 ? conditions.options.steps : stable_steps_);
+  plan_.first_frame = conditions.first_frame;
+  plan_.frames = conditions.frames;
+  plan_.speed_limit = kEscapeSpeed * conditions.scales.speed;
+  model_ = make_model(model, {.dims = recording.dims(),
+                              .scales = conditions.scales,
+                              .reference = reference,
+                              .step = plan_.frame_dt / plan_.substeps,
+                              .kinds = recording.kinds()});
+  if (runtime.checkpoint) under_ = fingerprint(conditions);
+}
+
+void Ensemble::use_steps(int steps) { plan_.substeps = choice_.spec->is_map(choice_.options) ? 1 : steps; }
+
+std::string Ensemble::identity(int finer) const { return choice_.name + '\n' + std::to_string(steps() * finer) + '\n' + under_ + '\n'; }
+
+Run Ensemble::run(const Job& job) const {
+  const bool as_recorded = conditions_.options.presence == ConditionOptions::Presence::recorded;
+  const bool keep_velocity = conditions_.options.velocity == VelocitySource::recorded;
+  TrackCollector collector(conditions_.recording.names(), keep_velocity);
+  Observer camera(as_recorded ? &conditions_.recording : nullptr, conditions_.sigma, job.seed, collector,
+                  static_cast<std::uint32_t>(conditions_.recording.track_count()), conditions_.grid);
+  Plan plan = plan_;
+  if (!choice_.spec->fixed_step) plan.substeps *= job.finer;
+  Lane lane{job.parameters, job.seed, State{}, conditions_.world, &camera, {}, false};
+  cpu_backend().run(*model_, plan, {&lane, 1});
+  TrackMeta meta = conditions_.recording.meta();
+  meta.from = {};
+  meta.from.synthetic = true;
+  Run run{collector.take(meta), lane.count, lane.blew_up};
+  if (conditions_.options.smoothing > 0) run.seen = smooth(run.seen, conditions_.options.smoothing);
+  return run;
+}
+
+std::vector<std::string> Ensemble::made(std::size_t count, const Executor::Work& work) const {
+  if (runtime_.tally && count > 0) {
+    Tally& tally = *runtime_.tally;
+    tally.made += static_cast<std::int64_t>(count);
+    ++tally.batches;
+    tally.largest_batch = std::max(tally.largest_batch, count);
+  }
+  return runtime_.executor->run(count, work);
+}
+
+std::vector<std::string> Ensemble::measured_bytes(std::span<const Job> jobs, const std::string& name, const Measure& measure) const {
+  const auto make = [&](std::size_t k) { return measure(run(jobs[k]), k); };
+  Checkpoint* checkpoint = name.empty() ? nullptr : runtime_.checkpoint;
+  if (!checkpoint) return made(jobs.size(), make);
+
+  std::vector<std::string> results(jobs.size()), keys;
+  std::vector<std::size_t> missing;
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    keys.push_back(key_of(identity(jobs[k].finer), name, jobs[k]));
+    if (auto kept = checkpoint->find(keys[k]))
+      results[k] = std::move(*kept);
+    else
+      missing.push_back(k);
+  }
+  if (runtime_.tally) runtime_.tally->found += static_cast<std::int64_t>(jobs.size() - missing.size());
+  for (std::size_t done = 0; done < missing.size(); done += kKeptTogether) {
+    const std::span batch(missing.begin() + static_cast<std::ptrdiff_t>(done), std::min(kKeptTogether, missing.size() - done));
+    auto fresh = made(batch.size(), [&](std::size_t i) { return make(batch[i]); });
+    std::vector<Checkpoint::Record> records;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      records.emplace_back(keys[batch[i]], fresh[i]);
+      results[batch[i]] = std::move(fresh[i]);
+    }
+    checkpoint->add(records);
+  }
+  return results;
+}
+
+std::vector<Rng> replicate_seeds(const Rng& root, Stream stream, int replicates) {
+  std::vector<Rng> seeds;
+  for (int r = 0; r < replicates; ++r) seeds.push_back(root.derive(stream, static_cast<std::uint64_t>(r)));
+  return seeds;
+}
+
+std::vector<Job> jobs_on(const std::vector<double>& parameters, std::span<const Rng> seeds) {
+  std::vector<Job> jobs;
+  for (const Rng& seed : seeds) jobs.push_back({parameters, seed});
+  return jobs;
+}
+
+}  // namespace swarmfit
