@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The readers, one file each; the table that lists them is in read.cpp.
+// The readers, one file each; readers.def lists them.
 #pragma once
 
 #include <string>
@@ -23,9 +23,11 @@ struct Reader {
   RawTable (*read)(const Source&, const ReadOptions&);
 };
 
-extern const Reader kMatlab;
-extern const Reader kPeTrack;
-extern const Reader kDelimitedText;
+#define READER(name) extern const Reader name;
+#define TEXT_READER(name) extern const Reader name;
+#include "libtrack/read/readers.def"
+#undef TEXT_READER
+#undef READER
 
 // Throws InputError for well-known files that are no readable recordings, with advice.
 void refuse_non_recordings(const Source& source);

@@ -44,6 +44,7 @@ struct RawTable {
   std::string columns, format;
   std::vector<std::string> notes;
   bool synthetic = false;
+  bool has_nodes = false, has_confidence = false;  // the file names points, says how sure they are: --node, --min-confidence apply
 
   std::vector<double>& operator[](FileColumn c) { return number[static_cast<std::size_t>(c)]; }
   const std::vector<double>& operator[](FileColumn c) const { return number[static_cast<std::size_t>(c)]; }
