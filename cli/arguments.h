@@ -18,8 +18,11 @@ struct Common {
 // A recording and how to read it.
 struct DataArguments {
   std::string path;
-  std::string columns, delimiter, unit, variable, format, frames, times;
+  std::string time_unit, dates, decimal, missing;
+  bool wide = false;
+  std::string columns, delimiter, unit, variable, format, node, frames, times;
   double fps = 0;
+  double min_confidence = -1;  // negative: all points
   int fill_gaps = 0;
 };
 

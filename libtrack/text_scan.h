@@ -52,6 +52,8 @@ class Fields {
   bool done() const { return done_; }                                 // no field is left
   long column() const { return static_cast<long>(p_ - begin_) + 1; }  // of the field about to be read, from 1
 
+  const char* rest() const { return p_; }  // the field about to be read and all that follows
+
   // Reads a plain number; false, with nothing consumed, for anything else.
   bool number(double& value) {
     const auto [after, error] = std::from_chars(p_, end_, value);

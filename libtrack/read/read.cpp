@@ -7,19 +7,28 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <utility>
 
 #include "libtrack/error.h"
 #include "libtrack/file.h"
 #include "libtrack/read/formats.h"
+#include "libtrack/read/plain_text.h"
 
 namespace swarmfit {
 namespace {
 
-// Every format has one line here. The first that recognises the content reads it; plain text comes last, because it takes any text.
+struct Entry {
+  const Reader* reader;
+  bool text;
+};
+
+// The first that recognises the content reads it.
 const std::array kReaders = {
-    &kMatlab,
-    &kPeTrack,
-    &kDelimitedText,
+#define READER(name) Entry{&name, false},
+#define TEXT_READER(name) Entry{&name, true},
+#include "libtrack/read/readers.def"
+#undef TEXT_READER
+#undef READER
 };
 
 std::string format_names() {
@@ -40,16 +49,27 @@ bool has_usual_ending(const Source& source, std::string_view endings) {
 // By --format, else by content, else by the ending of the name.
 const Reader& choose(const Source& source, const ReadOptions& options) {
   if (!options.format.empty()) {
-    for (const Reader* reader : kReaders)
+    for (const auto& [reader, text] : kReaders)
       if (reader->format.name == options.format) return *reader;
     throw InputError(fmt::format("--format: '{}' is not known; expected one of {}", options.format, format_names()));
   }
-  refuse_non_recordings(source);
-  for (const Reader* reader : kReaders)
+  bool refused = false;
+  for (const auto& [reader, text] : kReaders) {
+    if (text && !std::exchange(refused, true)) refuse_non_recordings(source);
     if (reader->recognises(source, options)) return *reader;
-  for (const Reader* reader : kReaders)
+  }
+  for (const auto& [reader, text] : kReaders)
     if (has_usual_ending(source, reader->format.endings)) return *reader;
   throw InputError(fmt::format("{}: the format is not known; expected one of {}", source.name, format_names()));
+}
+
+// A flag about the points of a posture must have had something to choose from.
+void check_point_flags(const RawTable& table, const Reader& reader, const ReadOptions& options) {
+  if (!options.node.empty() && !table.has_nodes)
+    throw InputError(
+        fmt::format("--node {}: {} ({}) has no named points; expected no such flag", options.node, table.file, reader.format.name));
+  if (options.min_confidence && !table.has_confidence)
+    throw InputError(fmt::format("--min-confidence: {} ({}) has no confidences; expected no such flag", table.file, reader.format.name));
 }
 
 double parse_end(std::string_view flag, std::string_view whole, std::string_view text, double open) {
@@ -83,10 +103,16 @@ Tracks read_tracks(const std::string& path, const ReadOptions& options) { return
 
 Tracks read_tracks_bytes(const std::string& name, std::string bytes, const ReadOptions& options) {
   if (options.fill_gaps < 0) throw InputError(fmt::format("--fill-gaps: {} is negative; expected a number of frames", options.fill_gaps));
+  if (options.min_confidence && !(*options.min_confidence >= 0 && *options.min_confidence <= 1))
+    throw InputError(fmt::format("--min-confidence: {} is no confidence; expected a number from 0 to 1", *options.min_confidence));
+  if (bytes.empty()) throw InputError(name + ": the file is empty; expected a recording");
+  auto sha256 = sha256_hex(bytes);
+  bytes = plain_bytes(name, std::move(bytes));
   if (bytes.empty()) throw InputError(name + ": the file is empty; expected a recording");
   const Source source{name, bytes};
-  auto table = choose(source, options).read(source, options);
-  auto sha256 = sha256_hex(bytes);
+  const Reader& reader = choose(source, options);
+  auto table = reader.read(source, options);
+  check_point_flags(table, reader, options);
   bytes = std::string();  // recordings can be large: the text goes before the table is built
   return assemble(std::move(table), options, std::move(sha256));
 }
@@ -94,7 +120,7 @@ Tracks read_tracks_bytes(const std::string& name, std::string bytes, const ReadO
 std::span<const Format> formats() {
   static const auto list = [] {
     std::array<Format, kReaders.size()> out;
-    std::transform(kReaders.begin(), kReaders.end(), out.begin(), [](const Reader* r) { return r->format; });
+    std::transform(kReaders.begin(), kReaders.end(), out.begin(), [](const Entry& e) { return e.reader->format; });
     return out;
   }();
   return list;

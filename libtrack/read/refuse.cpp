@@ -31,7 +31,6 @@ constexpr std::array kRefusals = {
     Refusal{"{\\rtf"sv, "", "is a formatted document (RTF); expected a recording"},
     Refusal{"%PDF"sv, "", "is a PDF document; expected a recording"},
     Refusal{"PK\x03\x04"sv, "", "is a zip archive or a spreadsheet; expected a table (unpack it, or save the sheet as CSV)"},
-    Refusal{"\x1f\x8b"sv, "", "is compressed by gzip; expected the unpacked file (gunzip it first)"},
     Refusal{"\x89HDF"sv, "", "is an HDF5 file of no known layout; expected MATLAB 7.3 or a table (convert it to CSV)"},
     Refusal{"\x89PNG"sv, "", "is an image; expected a recording"},
     Refusal{"<?xml"sv, "", "is an XML file; expected a table (TrackMate: export the spots as CSV)"},
