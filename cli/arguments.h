@@ -19,7 +19,7 @@ struct Common {
 struct DataArguments {
   std::string path;
   std::string time_unit, dates, decimal, missing;
-  bool wide = false;
+  bool wide = false, join = false;
   std::string columns, delimiter, unit, variable, format, node, frames, times;
   double fps = 0;
   double min_confidence = -1;  // negative: all points

@@ -33,6 +33,8 @@ void add_reading(CLI::App& app, DataArguments& data) {
   app.add_option("--dates", data.dates, "how to read 3/4/2021")->check(CLI::IsMember({"day-first", "month-first"}));
   app.add_option("--decimal", data.decimal, "whether 1,234 is a decimal or a thousand")->check(CLI::IsMember({"comma", "point"}));
   app.add_option("--missing", data.missing, "value that x and y have where nothing was seen: -1, 0, -999, ...");
+  app.add_flag("--join", data.join,
+               "the files of a folder, or of a pattern such as 'fish*.csv', are one recording and name its individuals");
   app.add_flag("--wide", data.wide, "several pairs of columns x, y are individuals, not points of one");
   app.add_option("--var", data.variable, "variable or part inside a container file, where there are several");
   app.add_option("--format", data.format, "file format, if it is not found by itself: see swarmfit formats");

@@ -58,6 +58,7 @@ ReadOptions read_options(const DataArguments& a) {
   o.dates = a.dates;
   o.decimal = a.decimal;
   o.wide = a.wide;
+  o.join = a.join;
   if (!a.missing.empty()) o.missing = number("--missing", a.missing, a.missing);
   o.variable = a.variable;
   o.format = a.format;
@@ -131,6 +132,8 @@ std::string quoted(const std::vector<std::string>& texts) {
 
 Tracks load(const DataArguments& data, const std::string& path) {
   const ReadOptions options = read_options(data);
+  if (data.join && (path == "demo" || path == "-"))
+    throw InputError("--join " + path + ": that is one recording; expected a folder or a pattern");
   // The built-in recording goes through the reader like any other, so that --frames, --fill-gaps and the rest hold for it too.
   if (path == "demo") return read_tracks_bytes("demo", to_csv(demo_recording()), options);
   if (path != "-") return read_tracks(path, options);
@@ -249,6 +252,7 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("dates", a.data.dates);
   text("decimal", a.data.decimal);
   text("missing", a.data.missing);
+  if (a.data.join) out.emplace_back("join", "true");
   if (a.data.wide) out.emplace_back("wide", "true");
   text("var", a.data.variable);
   text("format", a.data.format);

@@ -13,6 +13,7 @@
 #include "libtrack/read/frame_clock.h"
 #include "libtrack/read/frame_steps.h"
 #include "libtrack/read/missing.h"
+#include "libtrack/read/project.h"
 #include "libtrack/read/raw_table.h"
 
 namespace swarmfit {
@@ -39,8 +40,9 @@ class Assembly {
 
   Tracks run(std::string sha256) {
     check_columns();
-    demand_flags();
     leave_out_codes(table_, options_);
+    if (table_.degrees) project_degrees(table_);
+    demand_flags();
     std::vector<std::uint32_t> seen = drop_unseen();
     order_rows(seen);
     number_frames();

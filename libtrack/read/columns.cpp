@@ -119,7 +119,7 @@ constexpr std::array kAliases = {
     Name{"acceleration_z", FileColumn::az},
 };
 
-// Geographic coordinates are recognised only to be refused with advice.
+// Geographic coordinates; they are projected to metres.
 constexpr std::array kDegrees = {
     Name{"lon", FileColumn::x},           Name{"long", FileColumn::x},          Name{"lng", FileColumn::x},
     Name{"longitude", FileColumn::x},     Name{"gps_lon", FileColumn::x},       Name{"gps_long", FileColumn::x},

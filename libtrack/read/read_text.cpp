@@ -276,10 +276,6 @@ RawTable read_rows(const Source& source, const TextHeader& header, const ColumnM
     }
     reader.row(line, header.lines_before + lines.number());
   }
-  if (map.degrees)
-    throw InputError(
-        name +
-        ": positions are longitude and latitude in degrees; expected a length unit (project them to metres first, for example to UTM)");
   RawTable table = reader.take();
   table.notes.insert(table.notes.begin(), header.notes.begin(), header.notes.end());
   if (repeated > 0)
@@ -288,6 +284,7 @@ RawTable read_rows(const Source& source, const TextHeader& header, const ColumnM
   table.dt = header.dt;
   table.t0 = header.t0;
   table.unit = header.unit.empty() ? map.unit : header.unit;
+  table.degrees = map.degrees;
   table.columns = map.spec;
   table.format = "text";
   table.synthetic = header.synthetic;

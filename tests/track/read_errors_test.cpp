@@ -95,8 +95,8 @@ std::vector<Fault> faults() {
       {"two row numbers", "id,particle,frame,x,y\n1,1,0,1,2\n2,2,1,1,2\n", flags(),
        "f.csv:1: 'id', 'particle' are new in every row, so they number rows and not individuals; expected --columns to name the individual "
        "(id=NAME,...)"},
-      {"degrees", "id,frame,lon,lat\n1,0,1,2\n", flags(),
-       "f.csv: positions are longitude and latitude in degrees; expected a length unit (project them to metres first, for example to UTM)"},
+      {"no place on Earth", "id,frame,lon,lat\n1,0,1,2\n1,1,1,92\n", flags(),
+       "f.csv:3: longitude 1, latitude 92 is no place on Earth; expected degrees, latitudes from -90 to 90"},
       {"no header", "1,0,1,2\n1,1,1,2\n", flags(),
        "f.csv:1: the file has no header; expected --columns to name its 4 columns, such as --columns id,x,y,z (_ skips one); the first row "
        "is "
