@@ -176,14 +176,9 @@ class Assembly {
     if (has(FileColumn::frame) && stated > 0 && times_are_rounded(time, stated)) return use_frames(stated, table_.t0);
     FrameClock clock = has(FileColumn::frame) ? fit_known_frames(time, ordered(FileColumn::frame)) : fit_frame_clock(time, first_);
     if (!has(FileColumn::frame)) look_behind_rounding(clock, time, stated);
-    if (clock.dt == 0 && stated > 0) {  // one single moment: the file cannot contradict
-      for (const double t : time) frame_.push_back(std::llround((t - table_.t0) / stated));
-      dt_ = stated;
-      t0_ = table_.dt > 0 ? table_.t0 : time[0] - static_cast<double>(frame_[0]) * stated;
-      return;
-    }
-    if (clock.dt == 0) fail(clock.problem + "; expected the flag --fps, for example --fps 25");
-    if (!clock.problem.empty()) fail(clock.problem + "; expected time stamps at a constant frame interval");
+    if (clock.dt == 0 && stated > 0) return use_rate(time, clock, stated);
+    if (clock.dt == 0 && !(time.front() < time.back())) fail(clock.problem + "; expected the flag --fps, for example --fps 25");
+    if (!clock.problem.empty()) fail(clock.problem + "; expected time stamps at a constant interval (--fps puts them on one)");
     check_rate(1 / clock.dt, "the time stamps say");
     if (table_.dt > 0 && std::abs(table_.dt / clock.dt - 1) > 0.01)
       fail(fmt::format("the time stamps say {:.6g} s per frame but the file states {:.6g} s; expected the same within 1 %", clock.dt,
@@ -195,6 +190,20 @@ class Assembly {
     dt_ = clock.dt;
     t0_ = clock.t0;
     frame_ = std::move(clock.frame);
+  }
+
+  // Times without an interval of their own: one single moment, or irregular ones.
+  void use_rate(const std::vector<double>& time, const FrameClock& clock, double stated) {
+    double worst = 0;
+    for (const double t : time) {
+      frame_.push_back(std::llround((t - table_.t0) / stated));
+      worst = std::max(worst, std::abs(t - table_.t0 - static_cast<double>(frame_.back()) * stated));
+    }
+    dt_ = stated;
+    const bool moment = *std::min_element(time.begin(), time.end()) == *std::max_element(time.begin(), time.end());
+    t0_ = table_.dt > 0 ? table_.t0 : moment ? time[0] - static_cast<double>(frame_[0]) * stated : 0;
+    if (!moment)
+      note(fmt::format("{}; rows were put on the nearest frame of {:.6g} s, by up to {:.3g} s away", clock.problem, stated, worst));
   }
 
   // Whole seconds beside frame numbers at 25 Hz say nothing that the frames do not.

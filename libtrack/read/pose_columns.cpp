@@ -43,8 +43,8 @@ bool among(const std::array<std::string_view, N>& words, std::string_view word) 
 }
 
 constexpr std::array<std::string_view, 6> kConfidence = {"score", "likelihood", "confidence", "probability", "prob", "conf"};
-constexpr std::array<std::string_view, 12> kOther = {"v",     "a",        "vel",  "velocity", "acc", "acceleration",
-                                                     "speed", "instance", "bbox", "size",     "w",   "h"};
+constexpr std::array<std::string_view, 8> kOther = {"vel", "velocity", "acc", "acceleration", "speed", "instance", "bbox", "size"};
+constexpr std::array<std::string_view, 4> kOtherLetters = {"v", "a", "w", "h"};  // a_x is an acceleration, A.x a point
 constexpr std::array<std::string_view, 3> kPosition = {"pos", "position", "coord"};
 constexpr std::array<std::string_view, 22> kIndividual = {
     "",     "ind", "id",  "individual", "animal", "particle", "agent",      "track",  "fish",  "mouse", "rat",
@@ -106,7 +106,7 @@ std::optional<PoseName> pose_name(std::string_view name) {
     const auto word = lower(token);
     const bool axis = word == "x" || word == "y" || word == "z";
     const bool numbered = word.size() > 1 && word[0] >= 'x' && word[0] <= 'z' && is_number(std::string_view(word).substr(1));
-    if (among(kOther, word)) return std::nullopt;
+    if (among(kOther, word) || among(kOtherLetters, token)) return std::nullopt;
     if (among(kPosition, word)) continue;
     if (axis || numbered || among(kConfidence, word)) {
       if (out.part != 0) return std::nullopt;

@@ -14,8 +14,14 @@ namespace {
 
 bool recognises(const Source& source, const ReadOptions& options) {
   if (!options.columns.empty() || !looks_like_text(source)) return false;
-  const auto line = source.bytes.substr(0, source.bytes.find('\n'));
-  return line.find("frame") != std::string_view::npos && line.find("X#wcentroid") != std::string_view::npos;
+  bool frame = false, centroid = false;
+  for (const auto& field : split_fields(source.bytes.substr(0, source.bytes.find_first_of("\r\n")), ',')) {
+    const auto name = column_name(field).name;
+    if (name == "id") return false;  // a table of several individuals, made of such files
+    frame = frame || name == "frame";
+    centroid = centroid || name == "x#wcentroid";
+  }
+  return frame && centroid;
 }
 
 RawTable read(const Source& source, const ReadOptions& options) {

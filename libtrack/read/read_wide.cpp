@@ -37,7 +37,7 @@ Layout find_layout(const std::vector<std::string>& names) {
   std::vector<PoseName> parts;
   std::vector<std::size_t> columns;
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (const auto part = pose_name(column_name(names[i]).name)) {
+    if (const auto part = pose_name(column_name(names[i]).title)) {
       parts.push_back(*part);
       columns.push_back(i);
     }

@@ -76,7 +76,7 @@ bool cut_last_word(std::string_view& name, std::string& unit) {
   const bool in = rest.size() > 3 && lower(rest.substr(rest.size() - 3)) == " in";
   if (in) rest = trimmed(rest.substr(0, rest.size() - 3));
   const auto stem = lower(rest);
-  const bool time = stem.starts_with("t"), axis = stem == "x" || stem == "y" || stem == "z";
+  const bool time = stem == "t" || stem.find("time") != std::string::npos, axis = stem == "x" || stem == "y" || stem == "z";
   if (time ? !time_unit(word) : !length_unit(word)) return false;
   // A short word may as well be part of a name.
   if (!in && (lower(word) == "in" || (word.size() < 2 && !axis))) return false;
@@ -111,6 +111,7 @@ ColumnName column_name(std::string_view text) {
   } else {
     cut_last_word(text, out.unit);
   }
+  out.title = text;
   out.name = lower(text);
   for (char& c : out.name)
     if (c == ' ' || c == '-' || c == '.' || c == ':') c = '_';

@@ -21,8 +21,9 @@ std::optional<TimeUnit> time_unit(std::string_view text);
 
 // A name of a column in parts.
 struct ColumnName {
-  std::string name;  // lower case, separators as '_', without the unit
-  std::string unit;  // as written; empty: none
+  std::string name;   // lower case, separators as '_', without the unit
+  std::string title;  // the same as written
+  std::string unit;   // as written; empty: none
 };
 
 // "Pos X [mm]" → {"pos_x", "mm"}; "x_cm", "x in cm", "x/cm", "time_ms" and "X#wcentroid (cm)" (→ "x#wcentroid") likewise.

@@ -42,6 +42,10 @@ TEST(PoseText, SleapPointAndMean) {
   EXPECT_THAT(column(read(kSleap, pixels("mean")), 0), ElementsAre(2, 6, 2, 7));
 }
 
+TEST(PoseText, NamesOfPointsKeepTheirCase) {
+  EXPECT_THAT(error_of("track,frame_idx,A.x,A.y,leftEar.x,leftEar.y\na,0,1,2,3,4\na,1,1,2,3,4\n", pixels()), HasSubstr("A, leftEar;"));
+}
+
 TEST(PoseText, ConfidenceLeavesOut) {
   auto options = pixels("nose");
   options.min_confidence = 0.5;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "libtrack/read/plain_text.h"
 #include "libtrack/read/units.h"
@@ -80,6 +81,7 @@ TEST(ReadRightly, WordsThatAreNoUnits) {
   EXPECT_EQ(column_name("x_min").name, "x_min");  // of a bounding box
   EXPECT_EQ(column_name("x_in").name, "x_in");
   EXPECT_EQ(column_name("track_id").name, "track_id");
+  EXPECT_EQ(column_name("track_min").name, "track_min");
   EXPECT_EQ(column_name("t_s").unit, "");
   EXPECT_FALSE(length_unit("quality"));
   EXPECT_FALSE(time_unit("mm"));
@@ -280,6 +282,15 @@ TEST(ReadRightly, WholeSecondsBesideFrames) {
   EXPECT_DOUBLE_EQ(tracks.dt(), 0.04);
   expect_two_tracks(tracks, 60);
   EXPECT_THAT(tracks.meta().from.notes, Contains(HasSubstr("the frame numbers count")));
+}
+
+TEST(ReadRightly, IrregularTimesOnFramesOfAGivenRate) {
+  std::string text = "id,t,x,y\n";
+  for (int i = 0; i < 40; ++i) text += fmt::format("1,{},{},2\n", std::pow(i, 1.5), i);
+  EXPECT_THAT(error_of(text, {.unit = "m"}), HasSubstr("expected time stamps at a constant interval (--fps puts them on one)"));
+  const auto tracks = read(text, {.fps = 2, .unit = "m"});
+  for (Index i = 0; i < 40; ++i) EXPECT_EQ(tracks.frame()[static_cast<std::size_t>(i)], std::llround(2 * std::pow(i, 1.5)));
+  EXPECT_THAT(tracks.meta().from.notes, Contains(HasSubstr("rows were put on the nearest frame of 0.5 s, by up to 0.2")));
 }
 
 TEST(ReadRightly, EverySecondFrameInTwoPhases) {

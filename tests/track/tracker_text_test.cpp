@@ -117,6 +117,10 @@ TEST(TrexCsv, WeightedCentroidAndTheNameOfTheFile) {
   EXPECT_THAT(error_of("frame,X#wcentroid (cm)\n0,1\n1,2\n", at_25_hertz()), HasSubstr("there is no column Y#wcentroid"));
 }
 
+TEST(TrexCsv, ATableWithIdsIsPlainText) {
+  EXPECT_EQ(read("id,frame,X#wcentroid (cm),Y#wcentroid (cm)\n0,0,1,2\n1,0,1,2\n0,1,1,2\n1,1,1,2\n", at_25_hertz()).track_count(), 2u);
+}
+
 TEST(Motive, RigidBodies) {
   const std::string text =
       "Format Version,1.23,Export Frame Rate,100.000000,Length Units,Meters\n\n"
@@ -137,6 +141,13 @@ TEST(TrackR, MendedTracksWithoutTheIgnored) {
       read("id,x,y,size,frame,track,ignore,track_fixed\n1,10,5,9,1,1,FALSE,4\n2,20,5,9,1,2,TRUE,5\n1,11,5,9,2,3,FALSE,4\n", at_25_hertz());
   EXPECT_THAT(tracks.names(), ElementsAre("4"));
   EXPECT_THAT(column(tracks, 0), ElementsAre(10, 11));
+}
+
+TEST(AnimalTa, IndividualsOfSeveralArenas) {
+  const auto tracks = read("Frame;Time;Arena;Ind;X;Y\n00.00;00.00;0;0;5;1\n00.00;00.00;1;0;9;1\n01.00;00.03;0;0;6;1\n02.00;00.01;0;0;7;1\n",
+                           {.fps = 25, .unit = "px"});
+  EXPECT_THAT(tracks.names(), ElementsAre("Arena0_Ind0", "Arena1_Ind0"));
+  EXPECT_THAT(column(tracks, 0), ElementsAre(5, 9, 6, 7));
 }
 
 // A thousandth of a degree at the equator: a * pi / 180000 along it, a (1 - e^2) * pi / 180000 across.
