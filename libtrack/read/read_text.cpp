@@ -68,6 +68,8 @@ class RowReader {
     if (two_readings_) settle_dates(table_, month_first_, options_.dates);
     if (clock_ && !dated_ && !has_date_) go_on_over_midnight(table_);
     if (seconds_) in_seconds();
+    if (!seconds_ && !options_.time_unit.empty())
+      throw InputError(fmt::format("--time-unit {}: {} has no bare numbers of time; expected no such flag", options_.time_unit, name_));
     return std::move(table_);
   }
 

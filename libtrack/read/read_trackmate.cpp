@@ -76,10 +76,11 @@ RawTable read(const Source& source, const ReadOptions& options) {
       throw InputError(at(source.name, header.names_line, 0, "a column is missing; expected TrackMate's POSITION_X, POSITION_Y and FRAME"));
   if (units.size() > x) map.unit = length_unit(units[x]).value_or("");
   const auto t = column(header, "POSITION_T");
-  if (units.size() > t) map.time = time_unit(units[t]).value_or(TimeUnit{});
+  const auto stated = units.size() > t ? time_unit(units[t]) : std::nullopt;
+  map.time = stated.value_or(TimeUnit{});
   map.spec = by_name(map, header.names);
   auto table = read_rows(source, header, map, options);
-  if (time_is_frame(table)) {
+  if (!stated && time_is_frame(table)) {
     table[FileColumn::t] = {};
     table.notes.emplace_back("POSITION_T is the frame number: the recording was not calibrated, and has no times");
   }

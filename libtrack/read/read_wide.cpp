@@ -7,6 +7,7 @@
 #include <map>
 
 #include "libtrack/error.h"
+#include "libtrack/read/choose_id.h"
 #include "libtrack/read/pose_columns.h"
 #include "libtrack/read/units.h"
 
@@ -125,7 +126,8 @@ RawTable read(const Source& source, const ReadOptions& options) {
   auto header = look_at_text(source.name, source.bytes, options);
   const auto place = fmt::format("{}:{}", source.name, header.names_line);
   auto layout = find_layout(header.names);
-  const auto map = other_columns(header.names, layout, place);
+  auto map = other_columns(header.names, layout, place);
+  if (auto remark = choose_id(map, source.name, source.bytes, header); !remark.empty()) header.notes.push_back(std::move(remark));
   const bool identified = map.has(FileColumn::id);
   name_poses(layout, identified, place, options);
   auto table = read_pose_rows(source, header, map, layout.poses, options);

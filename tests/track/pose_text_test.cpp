@@ -42,6 +42,12 @@ TEST(PoseText, SleapPointAndMean) {
   EXPECT_THAT(column(read(kSleap, pixels("mean")), 0), ElementsAre(2, 6, 2, 7));
 }
 
+TEST(PoseText, RowNumbersAreNoIndividualsHereEither) {
+  const auto tracks =
+      read("id,track,frame,nose.x,nose.y,tail.x,tail.y\n1,a,0,1,2,3,4\n2,b,0,1,2,3,4\n3,a,1,1,2,3,4\n4,b,1,1,2,3,4\n", pixels("nose"));
+  EXPECT_THAT(tracks.names(), ElementsAre("a", "b"));
+}
+
 TEST(PoseText, NamesOfPointsKeepTheirCase) {
   EXPECT_THAT(error_of("track,frame_idx,A.x,A.y,leftEar.x,leftEar.y\na,0,1,2,3,4\na,1,1,2,3,4\n", pixels()), HasSubstr("A, leftEar;"));
 }
@@ -90,6 +96,9 @@ TEST(TrackMateCsv, TimesThatAreFrameNumbers) {
   const std::string text = "TRACK_ID,POSITION_X,POSITION_Y,POSITION_T,FRAME\n0,1,2,0,0\n0,1,2,1,1\n0,1,2,2,2\n";
   EXPECT_THAT(error_of(text, {.unit = "px"}), HasSubstr("the frame rate is not in the file"));
   EXPECT_EQ(read(text, pixels()).dt(), 0.04);
+  const std::string seconds =
+      "TRACK_ID,POSITION_X,POSITION_Y,POSITION_T,FRAME\nTrack ID,X,Y,T,Frame\n,(pixel),(pixel),(sec),\n0,1,2,0,0\n0,1,2,1,1\n";
+  EXPECT_EQ(read(seconds).dt(), 1) << "one frame a second, by the row of units";
 }
 
 TEST(Imaris, TitleTrackAndUnit) {

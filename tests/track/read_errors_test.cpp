@@ -64,6 +64,8 @@ std::vector<Fault> faults() {
        "--time-unit ms"},
       {"--time-unit", "id,t,x,y\n1,1,1,2\n", with([](auto& o) { o.time_unit = "weeks"; }),
        "--time-unit: 'weeks' is not known; expected s, ms, us, ns, min, h or d"},
+      {"--time-unit without effect", "id,t,x,y\n1,10:00:00,1,2\n1,10:00:01,1,2\n", with([](auto& o) { o.time_unit = "ms"; }),
+       "--time-unit ms: f.csv has no bare numbers of time; expected no such flag"},
       {"--time-unit against the header", "id,t [ms],x,y\n1,1,1,2\n", with([](auto& o) { o.time_unit = "us"; }),
        "f.csv: the header states another unit of time than --time-unit us; expected the same or no flag"},
       {"two length units", "id,frame,x [mm],y [cm]\n1,0,1,2\n", flags(),
