@@ -37,6 +37,22 @@ double start_of_day(std::vector<double> t) {
   return start;
 }
 
+// 44197.5 and 44197.5000005 are not half a microsecond apart.
+void refuse_days(const RawTable& table) {
+  constexpr double least = 2e4, closest = 1e-4;
+  const auto& t = table[FileColumn::t];
+  double step = HUGE_VAL;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (t[i] < least) return;
+    if (i > 0 && t[i] != t[i - 1]) step = std::min(step, std::abs(t[i] - t[i - 1]));
+  }
+  if (step < closest)
+    throw InputError(
+        fmt::format("{}: the time {:.10g} and steps of {:.2g} look like days, not seconds; expected --time-unit, that is "
+                    "--time-unit d or s",
+                    table.place(0), t[0], step));
+}
+
 }  // namespace
 
 void go_on_over_midnight(RawTable& table) {
@@ -77,7 +93,21 @@ void settle_dates(RawTable& table, const std::vector<double>& month_first, const
   if (order.empty()) table.notes.push_back(fmt::format("dates have the {} first: some have no other reading", day ? "day" : "month"));
 }
 
-void refuse_epochs(const RawTable& table) {
+void refuse_end_of_summer_time(const RawTable& table) {
+  constexpr double hour = 3600, slack = 60;
+  const auto& t = table[FileColumn::t];
+  std::vector<double> last(table.names.names().size(), -HUGE_VAL);
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (table.track[i] == RawTable::no_track) continue;
+    double& before = last[table.track[i]];
+    if (before - t[i] > hour - slack && before - t[i] <= hour)
+      throw InputError(table.place(i) + ": the clock falls back by an hour, as where summer time ends; expected times in UTC");
+    before = t[i];
+  }
+}
+
+void refuse_other_units(const RawTable& table) {
+  refuse_days(table);
   const auto& t = table[FileColumn::t];
   constexpr double most = 1e11;  // seconds: the year 5138
   const auto hit = std::find_if(t.begin(), t.end(), [](double v) { return std::abs(v) >= most; });

@@ -17,7 +17,11 @@ void go_on_over_midnight(RawTable& table);
 // one, or that of --dates. Throws InputError when both are possible, or neither is.
 void settle_dates(RawTable& table, const std::vector<double>& month_first, const std::string& order);
 
-// Throws InputError when bare numbers of seconds are so large that they must be something else since 1970, such as milliseconds.
-void refuse_epochs(const RawTable& table);
+// Throws InputError when clock times fall back by an hour within a track, as they do where summer time ends.
+void refuse_end_of_summer_time(const RawTable& table);
+
+// Throws InputError when bare numbers cannot be seconds: so large that they must be milliseconds since 1970, or so close at tens of
+// thousands that they must be days, as spreadsheets and MATLAB count them.
+void refuse_other_units(const RawTable& table);
 
 }  // namespace swarmfit

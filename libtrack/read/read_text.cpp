@@ -66,6 +66,7 @@ class RowReader {
   RawTable take() {
     numbers_.check(table_.file);
     if (two_readings_) settle_dates(table_, month_first_, options_.dates);
+    if (clock_) refuse_end_of_summer_time(table_);
     if (clock_ && !dated_ && !has_date_) go_on_over_midnight(table_);
     if (seconds_) in_seconds();
     if (!seconds_ && !options_.time_unit.empty())
@@ -172,7 +173,7 @@ class RowReader {
   void in_seconds() {
     TimeUnit unit = map_.time;
     if (!options_.time_unit.empty()) unit = given_time_unit(options_.time_unit);
-    if (unit == TimeUnit{} && options_.time_unit.empty()) return refuse_epochs(table_);
+    if (unit == TimeUnit{} && options_.time_unit.empty()) return refuse_other_units(table_);
     for (double& value : table_[FileColumn::t]) value = unit.seconds(value);
   }
 

@@ -124,7 +124,29 @@ void refuse_other_encodings(const std::string& name, std::string_view bytes) {
 struct Sample {
   std::vector<std::string_view> line;  // the first ones with content
   std::vector<long> number;
+  std::string_view comment;  // the last one before them
+  long comment_number = 0;
 };
+
+constexpr std::size_t kSampleLines = 12, kLinesForDelimiter = 5;
+
+// Comments, which go into the header, then the first lines with content.
+Sample take_sample(const std::string& name, std::string_view text, TextHeader& header) {
+  Sample sample;
+  Lines lines(text);
+  for (std::string_view line; sample.line.size() < kSampleLines && lines.next(line);) {
+    if (has_content(line)) {
+      sample.line.push_back(line);
+      sample.number.push_back(lines.number());
+    } else if (sample.line.empty() && line.find_first_of("#%") != std::string_view::npos) {
+      sample.comment = line;
+      sample.comment_number = lines.number();
+      read_comment(line, header);
+    }
+  }
+  if (sample.line.empty()) throw InputError(name + ": the file is empty; expected rows of numbers");
+  return sample;
+}
 
 // Lines of a title above the names: of one or two words, where the names and their rows are three or more.
 std::size_t title_lines(const Sample& sample) {
@@ -203,30 +225,15 @@ TextHeader look_at_text(const std::string& name, std::string_view bytes, const R
   TextHeader header;
   const std::size_t mark = bytes.starts_with(kUtf8Mark) ? kUtf8Mark.size() : 0;
 
-  // Comments, then the first lines with content.
-  constexpr std::size_t most = 12, lines_for_delimiter = 5;
-  Sample sample;
-  std::string_view comment_line;
-  long comment_number = 0;
-  Lines lines(bytes.substr(mark));
-  for (std::string_view line; sample.line.size() < most && lines.next(line);) {
-    if (has_content(line)) {
-      sample.line.push_back(line);
-      sample.number.push_back(lines.number());
-    } else if (sample.line.empty() && line.find_first_of("#%") != std::string_view::npos) {
-      comment_line = line;
-      comment_number = lines.number();
-      read_comment(line, header);
-    }
-  }
-  if (sample.line.empty()) throw InputError(name + ": the file is empty; expected rows of numbers");
+  const Sample sample = take_sample(name, bytes.substr(mark), header);
+  std::string_view comment_line = sample.comment;
 
   std::size_t first = title_lines(sample);
   if (first > 0)
     header.notes.push_back(
         fmt::format("{} of a title above the column names were passed over", first == 1 ? "a line" : fmt::format("{} lines", first)));
   const auto rest = std::span(sample.line).subspan(first);
-  header.delimiter = options.delimiter.value_or(find_delimiter(rest.first(std::min(rest.size(), lines_for_delimiter))));
+  header.delimiter = options.delimiter.value_or(find_delimiter(rest.first(std::min(rest.size(), kLinesForDelimiter))));
   auto fields = split_fields(rest[0], header.delimiter);
   const auto next = [&] {
     if (++first == sample.line.size())
@@ -250,7 +257,7 @@ TextHeader look_at_text(const std::string& name, std::string_view bytes, const R
     if (names.size() != fields.size()) names = split_fields(comment_line, ' ');
     if (names.size() == fields.size() && is_header(names)) {
       header.names = std::move(names);
-      header.names_line = comment_number;
+      header.names_line = sample.comment_number;
       header.names_in_comment = true;
     }
   }

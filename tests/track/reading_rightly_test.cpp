@@ -62,6 +62,11 @@ TEST(ReadRightly, TimeUnitByFlag) {
   EXPECT_NEAR(read(text, {.unit = "m", .time_unit = "ms"}).dt(), 0.04, 1e-9);
 }
 
+TEST(ReadRightly, DaysByFlag) {
+  const std::string text = "id,t,x,y\n1,44197.5,1,2\n1,44197.50001,1,2\n1,44197.50002,1,2\n";
+  EXPECT_NEAR(read(text, {.unit = "m", .time_unit = "d"}).dt(), 0.864, 1e-5);
+}
+
 TEST(ReadRightly, UnitsOfLengthInTheHeader) {
   const auto unit = [](const std::string& x, const std::string& y) {
     return read("id,frame," + x + "," + y + "\n1,0,1,2\n1,1,1,2\n", {.fps = 10}).meta().unit;
