@@ -93,6 +93,7 @@ class Fields {
   }
   const char* field_end() const {
     const char* q = p_;
+    if (q == end_) return q;  // an empty text may have no address, which memchr does not take
     if (delimiter_ == ' ') {
       while (q < end_ && !is_blank(*q)) ++q;
       return q;

@@ -34,6 +34,12 @@ RawTable read(const Source& source, const ReadOptions& options) {
     throw InputError(path + ": frames_per_second is missing; expected the attributes of idtracker.ai");
   const auto header = look_at_text(source.name, source.bytes, options);
   std::vector<PoseColumns> poses;
+  for (std::size_t i = 1; i < header.names.size(); ++i)
+    if (header.names[i] != fmt::format("{}{}", i % 2 == 1 ? 'x' : 'y', (i + 1) / 2))
+      throw InputError(
+          at(source.name, header.names_line, 0, "the columns are not seconds,x1,y1,x2,y2,...; expected those of idtracker.ai"));
+  if (header.names.size() < 3 || header.names.size() % 2 == 0)
+    throw InputError(source.name + ": there is no pair of columns x1,y1; expected those of idtracker.ai");
   for (std::size_t i = 1; i + 1 < header.names.size(); i += 2)
     poses.push_back({.individual = std::to_string(poses.size() + 1), .node = {}, .x = i, .y = i + 1});
   const auto labels = facts.find("identities_labels");

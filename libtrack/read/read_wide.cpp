@@ -126,6 +126,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   auto header = look_at_text(source.name, source.bytes, options);
   const auto place = fmt::format("{}:{}", source.name, header.names_line);
   auto layout = find_layout(header.names);
+  if (layout.poses.empty()) throw InputError(place + ": there are no pairs of columns x and y; expected one for every individual or point");
   auto map = other_columns(header.names, layout, place);
   if (auto remark = choose_id(map, source.name, source.bytes, header); !remark.empty()) header.notes.push_back(std::move(remark));
   const bool identified = map.has(FileColumn::id);

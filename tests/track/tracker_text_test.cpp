@@ -101,6 +101,10 @@ TEST(IdtrackerCsv, RateUnitAndNamesFromTheAttributes) {
   EXPECT_THAT(tracks.names(), ElementsAre("Ada", "Bob"));
   EXPECT_EQ(tracks.rows(), 5);
   EXPECT_EQ(tracks.frames().size(), 3u);
+  folder.add("trajectories.csv", "seconds,x1,y1,x2\n0.000,1,2,3\n0.036,1.5,2,3\n");
+  EXPECT_THAT(error_in(folder.path("trajectories.csv"), {}), HasSubstr("there is no pair of columns x1,y1"));
+  folder.add("trajectories.csv", "seconds,x1,y1,q,y2\n0.000,1,2,3,4\n0.036,1.5,2,3,4\n");
+  EXPECT_THAT(error_in(folder.path("trajectories.csv"), {}), HasSubstr("the columns are not seconds,x1,y1,x2,y2"));
   folder.add("attributes.json", "{}");
   EXPECT_THAT(error_in(folder.path("trajectories.csv"), {}), HasSubstr("frames_per_second is missing"));
 }
@@ -119,6 +123,18 @@ TEST(TrexCsv, WeightedCentroidAndTheNameOfTheFile) {
 
 TEST(TrexCsv, ATableWithIdsIsPlainText) {
   EXPECT_EQ(read("id,frame,X#wcentroid (cm),Y#wcentroid (cm)\n0,0,1,2\n1,0,1,2\n0,1,1,2\n1,1,1,2\n", at_25_hertz()).track_count(), 2u);
+}
+
+// Every reader of text, forced upon a file of another kind, refuses it or reads it; none reaches past what is there.
+TEST(Formats, ForcedUponAnyText) {
+  for (const auto* text :
+       {"1,2\n", "a\n1\n", "id,frame,x,y\n1,0,1,2\n1,1,1,2\n", "seconds,x1\n0,1\n1,2\n", "scorer\n0\n", "\n\n,\n", ";;;\n1;2;3;4\n"})
+    for (const auto& format : formats()) {
+      auto options = flags();
+      options.format = std::string(format.name);
+      const auto message = error_of(text, options);
+      EXPECT_EQ(message.find('\n'), std::string::npos) << format.name << ": " << text;
+    }
 }
 
 TEST(Motive, RigidBodies) {
