@@ -69,7 +69,7 @@ std::vector<std::uint32_t> rename(const RawTable& table, RawTable& out) {
   const auto stem = fs::path(table.file).stem().string();
   const auto& names = table.names.names();
   std::vector<std::uint32_t> number;
-  for (const auto& name : names) number.push_back(out.names.number(names.size() == 1 ? stem : stem + '/' + name));
+  for (const auto& name : names) number.push_back(out.names.number(names.size() == 1 ? stem : fmt::format("{}/{}", stem, name)));
   return number;
 }
 

@@ -25,8 +25,8 @@ struct Entry {
 
 // The first that recognises the content reads it.
 const std::array kReaders = {
-#define READER(name) Entry{&name, false},
-#define TEXT_READER(name) Entry{&name, true},
+#define READER(name) Entry{&(name), false},
+#define TEXT_READER(name) Entry{&(name), true},
 #include "libtrack/read/readers.def"
 #undef TEXT_READER
 #undef READER

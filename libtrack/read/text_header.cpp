@@ -241,7 +241,7 @@ TextHeader look_at_text(const std::string& name, std::string_view bytes, const R
     fields = split_fields(sample.line[first], header.delimiter);
   };
   if (is_header(fields)) {
-    header.names = std::move(fields);
+    header.names = fields;
     header.names_line = sample.number[first];
     header.names_text = sample.line[first];
     next();
