@@ -34,12 +34,12 @@ RawTable read(const Source& source, const ReadOptions& options) {
   }
   auto table = read_pose_rows(source, header, map, poses, options, "body");
   table.unit = "px";
-  table.format = "fasttrack";
+  table.format = "fasttrack-text";
   return table;
 }
 
 }  // namespace
 
-const Reader kFastTrack = {{"fasttrack", "FastTrack's tracking.txt: head, tail and body", ".txt"}, recognises, read};
+const Reader kFastTrackText = {{"fasttrack-text", "FastTrack's tracking.txt: head, tail and body", ".txt"}, recognises, read};
 
 }  // namespace swarmfit
