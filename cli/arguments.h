@@ -18,6 +18,8 @@ struct Common {
 // A recording and how to read it.
 struct DataArguments {
   std::string path;
+  std::string time_unit, dates, decimal, missing;
+  bool wide = false, join = false;
   std::string columns, delimiter, unit, variable, format, node, frames, times, kind;
   double fps = 0;
   double min_confidence = -1;  // negative: all points

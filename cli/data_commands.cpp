@@ -43,7 +43,8 @@ int describe(const DescribeArguments& a) {
   use_threads(a.common);
   const Tracks tracks = load(a.data);
   const Summary summary = summarise(tracks);
-  print(a.common.json ? to_json(tracks.meta(), summary) : describe_text(tracks.meta(), summary, style()));
+  print(a.common.json ? to_json(tracks.meta(), summary)
+                      : describe_text(tracks.meta(), summary, style()) + first_rows_text(tracks, style()));
   if (!a.html.empty()) write_file_atomically(a.html, tracks_html(portrait(tracks), tracks.meta(), summary, {a.line, kVersion, {}}));
   return 0;
 }

@@ -34,6 +34,14 @@ void add_reading(CLI::App& app, DataArguments& data) {
   app.add_option("--delimiter", data.delimiter, "column delimiter, if it is not found by itself");
   app.add_option("--fps", data.fps, "frames per second, where the file does not tell")->check(CLI::PositiveNumber);
   app.add_option("--unit", data.unit, "length unit, where the file does not tell: mm, m, px, ...");
+  app.add_option("--time-unit", data.time_unit,
+                 "unit of bare numbers in a time column: ms, us, ns, min, h, d; seconds, where nothing tells");
+  app.add_option("--dates", data.dates, "how to read 3/4/2021")->check(CLI::IsMember({"day-first", "month-first"}));
+  app.add_option("--decimal", data.decimal, "whether 1,234 is a decimal or a thousand")->check(CLI::IsMember({"comma", "point"}));
+  app.add_option("--missing", data.missing, "value that x and y have where nothing was seen: -1, 0, -999, ...");
+  app.add_flag("--join", data.join,
+               "the files of a folder, or of a pattern such as 'fish*.csv', are one recording and name its individuals");
+  app.add_flag("--wide", data.wide, "several pairs of columns x, y are individuals, not points of one");
   app.add_option("--var", data.variable, "variable or part inside a container file, where there are several");
   app.add_option("--format", data.format, "file format, if it is not found by itself: see swarmfit formats");
   app.add_option("--node", data.node, "point of a posture that stands for the individual: its name, or mean");

@@ -56,6 +56,12 @@ ReadOptions read_options(const DataArguments& a) {
   if (!a.delimiter.empty()) o.delimiter = delimiter(a.delimiter);
   if (a.fps > 0) o.fps = a.fps;
   o.unit = a.unit;
+  o.time_unit = a.time_unit;
+  o.dates = a.dates;
+  o.decimal = a.decimal;
+  o.wide = a.wide;
+  o.join = a.join;
+  if (!a.missing.empty()) o.missing = number("--missing", a.missing, a.missing);
   o.variable = a.variable;
   o.format = a.format;
   o.node = a.node;
@@ -130,6 +136,8 @@ std::string quoted(const std::vector<std::string>& texts) {
 
 Tracks load(const DataArguments& data, const std::string& path) {
   const ReadOptions options = read_options(data);
+  if (data.join && (path == "demo" || path == "-"))
+    throw InputError("--join " + path + ": that is one recording; expected a folder or a pattern");
   // The built-in recording goes through the reader like any other, so that --frames, --fill-gaps and the rest hold for it too.
   if (path == "-" && cluster().size() > 1)
     throw InputError("-: standard input reaches only one of several processes; expected a file that all can read");
@@ -247,6 +255,12 @@ std::vector<std::pair<std::string, std::string>> resolved(const FitArguments& a,
   text("delimiter", a.data.delimiter);
   positive("fps", a.data.fps);
   text("unit", a.data.unit);
+  text("time-unit", a.data.time_unit);
+  text("dates", a.data.dates);
+  text("decimal", a.data.decimal);
+  text("missing", a.data.missing);
+  if (a.data.join) out.emplace_back("join", "true");
+  if (a.data.wide) out.emplace_back("wide", "true");
   text("var", a.data.variable);
   text("format", a.data.format);
   text("node", a.data.node);

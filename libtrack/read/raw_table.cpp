@@ -57,7 +57,10 @@ std::uint32_t TrackNames::number(std::uint32_t integer) {
 }
 
 std::string RawTable::place(std::size_t row) const {
-  return line.empty() ? fmt::format("{}: {} {}", file, row_name, row + 1) : fmt::format("{}:{}", file, line[row]);
+  const auto after = std::upper_bound(parts.begin(), parts.end(), row, [](std::size_t r, const Part& part) { return r < part.first; });
+  const auto& in = after == parts.begin() ? file : after[-1].file;
+  if (!line.empty()) return fmt::format("{}:{}", in, line[row]);
+  return fmt::format("{}: {} {}", in, row_name, row + 1 - (after == parts.begin() ? 0 : after[-1].first));
 }
 
 void add_ids(RawTable& table, std::span<const double> ids) {

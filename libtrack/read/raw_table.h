@@ -36,13 +36,19 @@ struct RawTable {
   std::vector<std::uint32_t> track;
   std::array<std::vector<double>, kNumberColumns> number;  // by FileColumn; empty when the file has none; position NaN: not seen
   std::vector<std::uint32_t> line;                         // source line of every row; empty: rows have no lines
-  std::string row_name = "row";                            // what to call a row without a line
+  struct Part {
+    std::string file;
+    std::size_t first;  // row
+  };
+  std::vector<Part> parts;       // of several joined files; empty: one file
+  std::string row_name = "row";  // what to call a row without a line
   std::vector<std::int64_t> episodes;
   std::vector<std::string> kinds;  // names of kinds 0, 1, ...
 
-  double dt = 0;     // frame interval stated in the file [s]; 0: none
-  double t0 = 0;     // time of frame 0, when dt is stated
-  std::string unit;  // stated in the file; empty: none
+  double dt = 0;         // frame interval stated in the file [s]; 0: none
+  double t0 = 0;         // time of frame 0, when dt is stated
+  std::string unit;      // stated in the file; empty: none
+  bool degrees = false;  // x and y are longitude and latitude
   std::string columns, format;
   std::vector<std::string> notes;
   bool synthetic = false;

@@ -12,6 +12,8 @@
 #include "libtrack/error.h"
 #include "libtrack/file.h"
 #include "libtrack/read/formats.h"
+#include "libtrack/read/join.h"
+#include "libtrack/read/plain_text.h"
 #include "libtrack/read/unpack.h"
 
 namespace swarmfit {
@@ -72,6 +74,26 @@ void check_point_flags(const RawTable& table, const Reader& reader, const ReadOp
     throw InputError(fmt::format("--min-confidence: {} ({}) has no confidences; expected no such flag", table.file, reader.format.name));
 }
 
+void check(const ReadOptions& options) {
+  if (options.fill_gaps < 0) throw InputError(fmt::format("--fill-gaps: {} is negative; expected a number of frames", options.fill_gaps));
+  if (options.min_confidence && !(*options.min_confidence >= 0 && *options.min_confidence <= 1))
+    throw InputError(fmt::format("--min-confidence: {} is no confidence; expected a number from 0 to 1", *options.min_confidence));
+}
+
+// Recordings can be large: the text goes before anything is built of the table.
+RawTable read_table(const std::string& name, std::string bytes, const ReadOptions& options) {
+  if (bytes.empty()) throw InputError(name + ": the file is empty; expected a recording");
+  std::vector<std::string> notes;
+  bytes = plain_bytes(unpacked(name, std::move(bytes), options.variable, notes));
+  const Source source{name, bytes};
+  const Reader& reader = choose(source, options);
+  auto table = reader.read(source, options);
+  table.format = reader.format.name;
+  check_point_flags(table, reader, options);
+  table.notes.insert(table.notes.begin(), notes.begin(), notes.end());
+  return table;
+}
+
 double parse_end(std::string_view flag, std::string_view whole, std::string_view text, double open) {
   if (text.empty()) return open;
   double value = 0;
@@ -104,24 +126,24 @@ Interval parse_interval(std::string_view flag, std::string_view text) {
   return out;
 }
 
-Tracks read_tracks(const std::string& path, const ReadOptions& options) { return read_tracks_bytes(path, read_file(path), options); }
+Tracks read_tracks(const std::string& path, const ReadOptions& options) {
+  if (!options.join) return read_tracks_bytes(path, read_file(path), options);
+  check(options);
+  std::vector<RawTable> tables;
+  std::string digests;
+  for (const auto& file : files_to_join(path)) {
+    std::string bytes = read_file(file);
+    digests += sha256_hex(bytes);
+    tables.push_back(read_table(file, std::move(bytes), options));
+  }
+  return assemble(joined(path, std::move(tables)), options, sha256_hex(digests));
+}
 
 Tracks read_tracks_bytes(const std::string& name, std::string bytes, const ReadOptions& options) {
-  if (options.fill_gaps < 0) throw InputError(fmt::format("--fill-gaps: {} is negative; expected a number of frames", options.fill_gaps));
-  if (options.min_confidence && !(*options.min_confidence >= 0 && *options.min_confidence <= 1))
-    throw InputError(fmt::format("--min-confidence: {} is no confidence; expected a number from 0 to 1", *options.min_confidence));
-  if (bytes.empty()) throw InputError(name + ": the file is empty; expected a recording");
+  check(options);
+  if (options.join) throw InputError(name + ": --join takes files; expected a folder, or a pattern such as 'fish*.csv'");
   auto sha256 = sha256_hex(bytes);
-  std::vector<std::string> notes;
-  bytes = unpacked(name, std::move(bytes), options.variable, notes);
-  const Source source{name, bytes};
-  const Reader& reader = choose(source, options);
-  auto table = reader.read(source, options);
-  table.format = reader.format.name;
-  check_point_flags(table, reader, options);
-  table.notes.insert(table.notes.begin(), notes.begin(), notes.end());
-  bytes = std::string();  // recordings can be large: the text goes before the table is built
-  return assemble(std::move(table), options, std::move(sha256));
+  return assemble(read_table(name, std::move(bytes), options), options, std::move(sha256));
 }
 
 std::span<const Format> formats() {

@@ -61,6 +61,7 @@ const std::vector<Library> kLibraries{
     {"hdf5", {"libtrack"}, false},
     {"sqlite3.h", {"libtrack"}, false},
     {"minizip/", {"libtrack"}, false},
+    {"geodesic.h", {"libtrack"}, false},
     {"zlib.h", {"libtrack", "reports"}, false},
     {"pugixml", {"libtrack"}, false},
     {"openssl/", {"libtrack", "reports"}, false},
