@@ -59,7 +59,7 @@ Rows forward_velocity(const Tracks& tracks) {
 
 Tracks smooth(const Tracks& tracks, double sigma_frames) {
   if (!(sigma_frames >= 0) || !std::isfinite(sigma_frames))
-    throw InputError(fmt::format("--smooth: {} is not allowed; expected a number of frames, at least 0", sigma_frames));
+    throw InputError(fmt::format("`smooth`: {} is not allowed; expected a number of frames, at least 0", sigma_frames));
   if (sigma_frames == 0) return tracks;
   const auto weight = gaussian(sigma_frames);
   TrackColumns columns = tracks.columns();

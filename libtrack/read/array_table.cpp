@@ -55,7 +55,7 @@ RawTable columns_table(const std::string& file, const Arrays& arrays, const Read
   for (const auto& a : arrays) names.push_back(a.name);
   const auto map = options.columns.empty() ? map_header(names, file) : map_columns(options.columns, names, names.size());
   if (!map.has(FileColumn::x) || !map.has(FileColumn::y))
-    throw InputError(fmt::format("{}: no array is x or y among {}; expected --columns such as id=NAME,frame=NAME,x=NAME,y=NAME", file,
+    throw InputError(fmt::format("{}: no array is x or y among {}; expected `columns` such as id=NAME,frame=NAME,x=NAME,y=NAME", file,
                                  all_names(arrays)));
   return rows_of(file, map, arrays[0].dims[0], [&](std::size_t row, std::size_t column) { return arrays[column].value[row]; });
 }
@@ -66,7 +66,7 @@ RawTable two_dimensional(const std::string& file, const NumberArray& array, cons
     const auto first =
         std::vector(array.value.begin(), array.value.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(columns, 12)));
     throw InputError(
-        fmt::format("{}: nothing says what the {} columns are; expected --columns, such as --columns id,frame,x,y; the first row is {:.6g}",
+        fmt::format("{}: nothing says what the {} columns are; expected `columns`, such as `columns` id,frame,x,y; the first row is {:.6g}",
                     file, columns, fmt::join(first, ",")));
   }
   const auto map = map_columns(options.columns, {}, columns);
@@ -80,7 +80,7 @@ RawTable three_dimensional(const std::string& file, const NumberArray& array, co
   const bool frames_first = options.columns == "frame,id," + order, ids_first = options.columns == "id,frame," + order;
   if ((axes != 2 && axes != 3) || (!frames_first && !ids_first))
     throw InputError(
-        fmt::format("{}: the array is {}; expected --columns frame,id,{} or id,frame,{} to say which axis is which, the last being {}",
+        fmt::format("{}: the array is {}; expected `columns` frame,id,{} or id,frame,{} to say which axis is which, the last being {}",
                     file, fmt::join(array.dims, " x "), order, order, order));
   ColumnMap map;
   map.of = {FileColumn::frame, FileColumn::id, FileColumn::x, FileColumn::y};
@@ -111,7 +111,7 @@ RawTable array_table(const std::string& file, const Arrays& arrays, const ReadOp
   std::copy_if(arrays.begin(), arrays.end(), std::back_inserter(tables),
                [](const auto& a) { return (a.dims.size() == 2 || a.dims.size() == 3) && !a.value.empty(); });
   if (tables.size() != 1)
-    throw InputError(fmt::format("{}: {} among its arrays {}; expected --var NAME", file,
+    throw InputError(fmt::format("{}: {} among its arrays {}; expected `var` NAME", file,
                                  tables.empty() ? "there is neither a table nor an array of positions" : "several could hold positions",
                                  all_names(arrays)));
   return tables[0].dims.size() == 2 ? two_dimensional(file, tables[0], options) : three_dimensional(file, tables[0], options);

@@ -57,15 +57,15 @@ std::string choose_id(ColumnMap& map, const std::string& name, std::string_view 
   std::erase_if(claims, [](const Claim& c) { return c.new_in_every_row(); });
   if (claims.empty())
     throw InputError(at(name, header.names_line, 0,
-                        fmt::format("{} are new in every row, so they number rows and not individuals; expected --columns to name the "
+                        fmt::format("{} are new in every row, so they number rows and not individuals; expected `columns` to name the "
                                     "individual (id=NAME,...)",
                                     numbers_rows)));
   for (const auto& c : claims)
     if (c.of != claims[0].of)
       throw InputError(
           at(name, header.names_line, 0,
-             fmt::format("both '{}' and '{}' could be the individual, and they disagree; expected --columns to say which, such "
-                         "as --columns id={},x=...",
+             fmt::format("both '{}' and '{}' could be the individual, and they disagree; expected `columns` to say which, such "
+                         "as `columns` id={},x=...",
                          title(claims[0]), title(c), title(c))));
   auto chosen = claims[0].column;
   for (const auto& c : claims)

@@ -48,8 +48,8 @@ void refuse_days(const RawTable& table) {
   }
   if (step < closest)
     throw InputError(
-        fmt::format("{}: the time {:.10g} and steps of {:.2g} look like days, not seconds; expected --time-unit, that is "
-                    "--time-unit d or s",
+        fmt::format("{}: the time {:.10g} and steps of {:.2g} look like days, not seconds; expected `time-unit`, that is "
+                    "`time-unit` d or s",
                     table.place(0), t[0], step));
 }
 
@@ -78,8 +78,8 @@ void settle_dates(RawTable& table, const std::vector<double>& month_first, const
   const bool day = no_day == t.size() && order != "month-first", month = no_month == t.size() && order != "day-first";
   if (day && month)
     throw InputError(table.place(0) +
-                     ": dates may have the day or the month first, and none in the file tells which; expected --dates "
-                     "day-first or --dates month-first");
+                     ": dates may have the day or the month first, and none in the file tells which; expected `dates` "
+                     "day-first or `dates` month-first");
   if (!day && !month)
     throw InputError(fmt::format("{}: the date cannot have the {} first; expected dates in one order",
                                  table.place(order == "month-first" ? no_month
@@ -114,8 +114,8 @@ void refuse_other_units(const RawTable& table) {
   if (hit == t.end()) return;
   const double value = std::abs(*hit);
   throw InputError(
-      fmt::format("{}: the time {:.17g} is too large for seconds, it may be {} since 1970; expected --time-unit, such as "
-                  "--time-unit {}",
+      fmt::format("{}: the time {:.17g} is too large for seconds, it may be {} since 1970; expected `time-unit`, such as "
+                  "`time-unit` {}",
                   table.place(static_cast<std::size_t>(hit - t.begin())), *hit,
                   value < 1e14   ? "milliseconds"
                   : value < 1e17 ? "microseconds"

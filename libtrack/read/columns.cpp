@@ -170,16 +170,16 @@ std::string known_names() {
 FileColumn parse_name(std::string_view text) {
   if (text == "_") return FileColumn::skip;
   if (const auto column = find(kNames, lower(text))) return *column;
-  throw InputError(fmt::format("--columns: '{}' is not a known column; expected {}", text, known_names()));
+  throw InputError(fmt::format("`columns`: '{}' is not a known column; expected {}", text, known_names()));
 }
 
 // What must hold for any mapping that the user wrote.
 void check_user_map(const ColumnMap& map) {
   for (const auto& n : kNames)
     if (std::count(map.of.begin(), map.of.end(), n.column) > 1)
-      throw InputError(fmt::format("--columns: '{}' is given twice; expected every column once", n.name));
+      throw InputError(fmt::format("`columns`: '{}' is given twice; expected every column once", n.name));
   for (const FileColumn c : {FileColumn::x, FileColumn::y})
-    if (!map.has(c)) throw InputError(fmt::format("--columns: '{}' is missing; expected at least x and y", name_of(c)));
+    if (!map.has(c)) throw InputError(fmt::format("`columns`: '{}' is missing; expected at least x and y", name_of(c)));
 }
 
 // Units in the header, and whether positions are degrees.
@@ -208,24 +208,24 @@ void look_at_units(ColumnMap& map, const std::vector<std::string>& names, const 
 ColumnMap map_by_name(const std::vector<std::string_view>& entries, const std::vector<std::string>& names, std::size_t count) {
   if (names.empty())
     throw InputError(
-        fmt::format("--columns: names are given but the file has no header; expected a list by position of its {} columns", count));
+        fmt::format("`columns`: names are given but the file has no header; expected a list by position of its {} columns", count));
   ColumnMap map{.of = std::vector<FileColumn>(count, FileColumn::skip)};
   for (const auto entry : entries) {
     const auto cut = entry.find('=');
     if (cut == std::string_view::npos)
-      throw InputError(fmt::format("--columns: '{}' has no '='; expected either a list by position or only entries like x=NAME", entry));
+      throw InputError(fmt::format("`columns`: '{}' has no '='; expected either a list by position or only entries like x=NAME", entry));
     const auto wanted = lower(trimmed(entry.substr(cut + 1)));
     const auto hit = std::find_if(names.begin(), names.end(), [&](const auto& n) { return lower(trimmed(n)) == wanted; });
     if (hit == names.end())
       throw InputError(
-          fmt::format("--columns: the file has no column '{}'; expected one of {}", trimmed(entry.substr(cut + 1)), listed(names)));
+          fmt::format("`columns`: the file has no column '{}'; expected one of {}", trimmed(entry.substr(cut + 1)), listed(names)));
     auto& column = map.of[static_cast<std::size_t>(hit - names.begin())];
     if (column != FileColumn::skip)
-      throw InputError(fmt::format("--columns: column '{}' is used twice; expected every column once", trimmed(*hit)));
+      throw InputError(fmt::format("`columns`: column '{}' is used twice; expected every column once", trimmed(*hit)));
     column = parse_name(trimmed(entry.substr(0, cut)));
   }
   check_user_map(map);
-  look_at_units(map, names, "--columns");
+  look_at_units(map, names, "`columns`");
   map.spec = by_name(map, names);
   return map;
 }
@@ -266,8 +266,8 @@ ColumnMap map_columns(std::string_view spec, const std::vector<std::string>& nam
   check_user_map(map);
   if (map.of.size() != count)
     throw InputError(
-        fmt::format("--columns: {} columns are listed but the file has {}; expected one name per column, _ to skip", map.of.size(), count));
-  look_at_units(map, names, "--columns");
+        fmt::format("`columns`: {} columns are listed but the file has {}; expected one name per column, _ to skip", map.of.size(), count));
+  look_at_units(map, names, "`columns`");
   map.spec = positional(map);
   return map;
 }
@@ -283,7 +283,7 @@ ColumnMap map_header(const std::vector<std::string>& names, const std::string& p
       if (before.has(*column) || (settled_by_rows(*column) && map.has(*column))) continue;
       if (map.has(*column)) {
         const auto other = static_cast<std::size_t>(std::find(map.of.begin(), map.of.end(), *column) - map.of.begin());
-        throw InputError(fmt::format("{}: both '{}' and '{}' could be {}; expected --columns to say which{}", place, names[other], names[i],
+        throw InputError(fmt::format("{}: both '{}' and '{}' could be {}; expected `columns` to say which{}", place, names[other], names[i],
                                      name_of(*column), exact ? " (by position)" : ""));
       }
       map.of[i] = *column;

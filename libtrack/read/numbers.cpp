@@ -86,7 +86,7 @@ double Numbers::with_comma(std::string_view field, const Place& place, long colu
 void Numbers::check(const std::string& name) const {
   if (!comma_ || proved_ || delimiter_ == ';' || decimal_ == "comma") return;
   throw InputError(at(name, comma_line_, 0,
-                      fmt::format("'{}' may have a decimal comma or one between thousands; expected --decimal comma, or numbers without "
+                      fmt::format("'{}' may have a decimal comma or one between thousands; expected `decimal` comma, or numbers without "
                                   "commas",
                                   comma_field_)));
 }

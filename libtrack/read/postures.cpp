@@ -18,7 +18,7 @@ Postures::Postures(RawTable& table, const ReadOptions& options, std::vector<std:
   table.has_nodes = true;
   const std::string wanted = !options.node.empty() ? options.node : nodes_.size() == 1 ? nodes_[0] : usual;
   if (wanted.empty())
-    throw InputError(fmt::format("{}: every individual has {} points, {}; expected --node NAME or --node mean", table.file, nodes_.size(),
+    throw InputError(fmt::format("{}: every individual has {} points, {}; expected `node` NAME or `node` mean", table.file, nodes_.size(),
                                  listed(nodes_)));
   const auto hit = std::find(nodes_.begin(), nodes_.end(), wanted);
   if (hit != nodes_.end()) {
@@ -27,7 +27,7 @@ Postures::Postures(RawTable& table, const ReadOptions& options, std::vector<std:
     chosen_.resize(nodes_.size());
     std::iota(chosen_.begin(), chosen_.end(), std::size_t{0});
   } else {
-    throw InputError(fmt::format("--node {}: {} has no such point; expected mean or one of {}", wanted, table.file, listed(nodes_)));
+    throw InputError(fmt::format("`node` {}: {} has no such point; expected mean or one of {}", wanted, table.file, listed(nodes_)));
   }
   choice_ = hit != nodes_.end() ? fmt::format("point '{}'", wanted) : fmt::format("mean of {} points", nodes_.size());
   table.columns = wanted;

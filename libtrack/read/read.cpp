@@ -53,7 +53,7 @@ const Reader& choose(const Source& source, const ReadOptions& options) {
   if (!options.format.empty()) {
     for (const auto& [reader, text] : kReaders)
       if (reader->format.name == options.format) return *reader;
-    throw InputError(fmt::format("--format: '{}' is not known; expected one of {}", options.format, format_names()));
+    throw InputError(fmt::format("`format`: '{}' is not known; expected one of {}", options.format, format_names()));
   }
   bool refused = false;
   for (const auto& [reader, text] : kReaders) {
@@ -69,15 +69,15 @@ const Reader& choose(const Source& source, const ReadOptions& options) {
 void check_point_flags(const RawTable& table, const Reader& reader, const ReadOptions& options) {
   if (!options.node.empty() && !table.has_nodes)
     throw InputError(
-        fmt::format("--node {}: {} ({}) has no named points; expected no such flag", options.node, table.file, reader.format.name));
+        fmt::format("`node` {}: {} ({}) has no named points; expected no such flag", options.node, table.file, reader.format.name));
   if (options.min_confidence && !table.has_confidence)
-    throw InputError(fmt::format("--min-confidence: {} ({}) has no confidences; expected no such flag", table.file, reader.format.name));
+    throw InputError(fmt::format("`min-confidence`: {} ({}) has no confidences; expected no such flag", table.file, reader.format.name));
 }
 
 void check(const ReadOptions& options) {
-  if (options.fill_gaps < 0) throw InputError(fmt::format("--fill-gaps: {} is negative; expected a number of frames", options.fill_gaps));
+  if (options.fill_gaps < 0) throw InputError(fmt::format("`fill-gaps`: {} is negative; expected a number of frames", options.fill_gaps));
   if (options.min_confidence && !(*options.min_confidence >= 0 && *options.min_confidence <= 1))
-    throw InputError(fmt::format("--min-confidence: {} is no confidence; expected a number from 0 to 1", *options.min_confidence));
+    throw InputError(fmt::format("`min-confidence`: {} is no confidence; expected a number from 0 to 1", *options.min_confidence));
 }
 
 // Recordings can be large: the text goes before anything is built of the table.
@@ -141,7 +141,7 @@ Tracks read_tracks(const std::string& path, const ReadOptions& options) {
 
 Tracks read_tracks_bytes(const std::string& name, std::string bytes, const ReadOptions& options) {
   check(options);
-  if (options.join) throw InputError(name + ": --join takes files; expected a folder, or a pattern such as 'fish*.csv'");
+  if (options.join) throw InputError(name + ": `join` takes files; expected a folder, or a pattern such as 'fish*.csv'");
   auto sha256 = sha256_hex(bytes);
   return assemble(read_table(name, std::move(bytes), options), options, std::move(sha256));
 }

@@ -120,9 +120,9 @@ std::vector<Track> tracks_of(const std::string& file, const std::vector<Sheet>& 
   }
   if (names.empty()) throw InputError(fmt::format("{}: no sheet begins with '{}'; expected raw data of EthoVision XT", file, kFirstCell));
   if (out.empty())
-    throw InputError(fmt::format("--var: {} has no sheet '{}' with a track; expected one of {}", file, options.variable, listed(names)));
+    throw InputError(fmt::format("`var`: {} has no sheet '{}' with a track; expected one of {}", file, options.variable, listed(names)));
   if (trials.size() > 1)
-    throw InputError(fmt::format("{}: its sheets are of {} trials, which are not one recording; expected --var SHEET, one of {}", file,
+    throw InputError(fmt::format("{}: its sheets are of {} trials, which are not one recording; expected `var` SHEET, one of {}", file,
                                  trials.size(), listed(names)));
   return out;
 }
@@ -140,10 +140,10 @@ RawTable read(const Source& source, const ReadOptions& options) {
   std::set<std::string> seen;
   for (const auto& track : tracks) {
     if (track.nodes != tracks[0].nodes || track.length_unit != table.unit)
-      throw InputError(source.name + ": its sheets have different points or units; expected --var SHEET");
+      throw InputError(source.name + ": its sheets have different points or units; expected `var` SHEET");
     const auto subject = track.said("Subject name"),
                name = tracks.size() == 1 ? subject : fmt::format("{} {}", track.said("Arena name"), subject);
-    if (!seen.insert(name).second) throw InputError(fmt::format("{}: two sheets are of '{}'; expected --var SHEET", source.name, name));
+    if (!seen.insert(name).second) throw InputError(fmt::format("{}: two sheets are of '{}'; expected `var` SHEET", source.name, name));
     track.add_to(postures, table.names.number(name));
   }
   postures.finish();

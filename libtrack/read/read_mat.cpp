@@ -34,7 +34,7 @@ std::string all_names(const MatVariables& variables) {
 const MatVariable& choose_table(const MatVariables& variables, const std::string& file, const ReadOptions& options) {
   if (!options.variable.empty()) {
     if (const auto* v = find(variables, options.variable)) return *v;
-    throw InputError(fmt::format("--var: {} has no variable '{}'; expected one of {}", file, options.variable, all_names(variables)));
+    throw InputError(fmt::format("`var`: {} has no variable '{}'; expected one of {}", file, options.variable, all_names(variables)));
   }
   for (const auto* usual : {"tracks_filt", "tracks"})
     if (const auto* v = find(variables, usual); v && is_table(*v)) return *v;
@@ -44,7 +44,7 @@ const MatVariable& choose_table(const MatVariables& variables, const std::string
                                  file, cells->shown()));
   const auto tables = std::count_if(variables.begin(), variables.end(), is_table);
   if (tables == 1) return *std::find_if(variables.begin(), variables.end(), is_table);
-  throw InputError(fmt::format("{}: {} among its variables {}; expected --var NAME", file,
+  throw InputError(fmt::format("{}: {} among its variables {}; expected `var` NAME", file,
                                tables == 0 ? "there is no table of rows" : "there are several tables", all_names(variables)));
 }
 
@@ -57,7 +57,7 @@ ColumnMap find_map(const MatVariable& variable, const MatArray& table, const Sou
   for (std::size_t c = 0; c < std::min<std::size_t>(count, 12); ++c)
     row += fmt::format("{}{:.6g}", c > 0 ? "," : "", table.value[c * table.dims[0]]);
   throw InputError(
-      fmt::format("{}: nothing says what the {} columns of '{}' are; expected --columns, such as --columns id,x,y,z,t; the first row is {}",
+      fmt::format("{}: nothing says what the {} columns of '{}' are; expected `columns`, such as `columns` id,x,y,z,t; the first row is {}",
                   source.name, count, variable.name, row));
 }
 

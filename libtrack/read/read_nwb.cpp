@@ -37,7 +37,7 @@ const Hdf5Object& choose(const std::vector<const Hdf5Object*>& poses, const std:
   if (options.variable.empty() && poses.size() == 1) return *poses[0];
   const auto hit = std::find(names.begin(), names.end(), options.variable);
   if (hit == names.end())
-    throw InputError(fmt::format("{}: there are {} PoseEstimation, {}; expected --var NAME, one individual seen by one camera", file,
+    throw InputError(fmt::format("{}: there are {} PoseEstimation, {}; expected `var` NAME, one individual seen by one camera", file,
                                  poses.size(), listed(names)));
   return *poses[static_cast<std::size_t>(hit - names.begin())];
 }

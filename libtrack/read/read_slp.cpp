@@ -124,7 +124,7 @@ class SlpReader {
     if (hit == videos.end()) {
       std::vector<std::string> shown;
       for (const auto& [video, count] : videos) shown.push_back(fmt::format("{}", video));
-      fail(fmt::format("it holds the videos {}; expected --var NUMBER to choose one", listed(shown)));
+      fail(fmt::format("it holds the videos {}; expected `var` NUMBER to choose one", listed(shown)));
     }
     video_ = hit->first;
   }

@@ -51,7 +51,7 @@ const Sheet& choose(const std::vector<Sheet>& sheets, const std::string& file, c
   }
   if (full.size() == 1 && !full[0]->rows.empty()) return *full[0];
   throw InputError(fmt::format("{}: the spreadsheet has the sheets {}; expected {}", file, listed(names),
-                               full.empty() || !options.variable.empty() ? "one with a table" : "--var SHEET to choose one"));
+                               full.empty() || !options.variable.empty() ? "one with a table" : "`var` SHEET to choose one"));
 }
 
 RawTable read(const Source& source, const ReadOptions& options) {

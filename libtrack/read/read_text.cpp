@@ -70,7 +70,7 @@ class RowReader {
     if (clock_ && !dated_ && !has_date_) go_on_over_midnight(table_);
     if (seconds_) in_seconds();
     if (!seconds_ && !options_.time_unit.empty())
-      throw InputError(fmt::format("--time-unit {}: {} has no bare numbers of time; expected no such flag", options_.time_unit, name_));
+      throw InputError(fmt::format("`time-unit` {}: {} has no bare numbers of time; expected no such flag", options_.time_unit, name_));
     return std::move(table_);
   }
 
@@ -179,10 +179,10 @@ class RowReader {
 
   TimeUnit given_time_unit(const std::string& text) const {
     const auto unit = time_unit(text);
-    if (!unit) throw InputError(fmt::format("--time-unit: '{}' is not known; expected s, ms, us, ns, min, h or d", text));
+    if (!unit) throw InputError(fmt::format("`time-unit`: '{}' is not known; expected s, ms, us, ns, min, h or d", text));
     if (map_.time != TimeUnit{} && map_.time != *unit)
       throw InputError(
-          fmt::format("{}: the header states another unit of time than --time-unit {}; expected the same or no flag", name_, text));
+          fmt::format("{}: the header states another unit of time than `time-unit` {}; expected the same or no flag", name_, text));
     return *unit;
   }
 
@@ -233,14 +233,14 @@ class RowReader {
   throw InputError(
       at(source.name, header.lines_before + 1, 0,
          fmt::format(
-             "the file has no header; expected --columns to name its {} columns, such as --columns {} (_ skips one); the first row is {}",
+             "the file has no header; expected `columns` to name its {} columns, such as `columns` {} (_ skips one); the first row is {}",
              count, example, row.substr(0, 160))));
 }
 
 void check_positions(const Source& source, const TextHeader& header, const ColumnMap& map) {
   if (map.has(FileColumn::x) && map.has(FileColumn::y)) return;
   throw InputError(at(source.name, header.names_line, 0,
-                      fmt::format("no position columns among {}; expected x and y (--columns x=NAME,y=NAME,... if they have other names)",
+                      fmt::format("no position columns among {}; expected x and y (`columns` x=NAME,y=NAME,... if they have other names)",
                                   listed(header.names))));
 }
 

@@ -84,7 +84,7 @@ void number_by_time(std::vector<double> all, RawTable& table, std::vector<double
 
 RawTable read(const Source& source, const ReadOptions& options) {
   if (!recognises(source, options))
-    throw InputError(source.name + ": there are no arrays frame, missing and X in it; expected .npz of TRex, without --var and --columns");
+    throw InputError(source.name + ": there are no arrays frame, missing and X in it; expected .npz of TRex, without `var` and `columns`");
   TrexFile file(source);
   RawTable table;
   table.file = source.name;

@@ -99,8 +99,8 @@ void name_poses(Layout& layout, bool identified, const std::string& place, const
   const bool points = identified || !options.node.empty();
   if (!points && !numbers && !options.wide)
     throw InputError(
-        fmt::format("{}: there are several pairs of columns x and y: {}; expected --wide when each is an individual, --node NAME "
-                    "or --node mean when they are points of one",
+        fmt::format("{}: there are several pairs of columns x and y: {}; expected `wide` when each is an individual, `node` NAME "
+                    "or `node` mean when they are points of one",
                     place, listed(layout.labels)));
   for (std::size_t k = 0; k < layout.poses.size(); ++k) (points ? layout.poses[k].node : layout.poses[k].individual) = layout.labels[k];
   if (points && !identified)

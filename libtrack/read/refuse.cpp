@@ -50,7 +50,7 @@ std::string datasets(const Hdf5Contents& contents) {
 void refuse_non_recordings(const Source& source) {
   if (const auto* contents = source.hdf5())
     throw InputError(fmt::format(
-        "{}: is an HDF5 file of no known layout, which holds {}; expected one that swarmfit formats lists, or --columns and --var "
+        "{}: is an HDF5 file of no known layout, which holds {}; expected one that swarmfit formats lists, or `columns` and `var` "
         "for its arrays",
         source.name, datasets(*contents)));
   if (is_sqlite(source.bytes)) {

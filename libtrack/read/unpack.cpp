@@ -131,7 +131,7 @@ std::string unpacked(const std::string& name, std::string bytes, const std::stri
   if (arrays || zip.has("xl/workbook.xml")) return bytes;
   const auto chosen = variable.empty() && members.size() == 1 ? members[0] : variable;
   if (!zip.has(chosen))
-    throw InputError(fmt::format("{}: the zip archive holds {}; expected one recording, or --var NAME to choose one", name,
+    throw InputError(fmt::format("{}: the zip archive holds {}; expected one recording, or `var` NAME to choose one", name,
                                  members.empty() ? "nothing" : listed(members)));
   notes.push_back(fmt::format("the file was unpacked (zip, '{}')", chosen));
   auto out = zip.read(chosen);

@@ -26,7 +26,7 @@ TEST(Numpy, TableOfRows) {
   EXPECT_EQ(tracks.meta().from.format, "numpy");
   EXPECT_THAT(tracks.names(), ElementsAre("7", "8"));
   EXPECT_EQ(tracks.pos()(1, 0), 3.5);
-  EXPECT_THAT(error_of(bytes, flags()), HasSubstr("nothing says what the 4 columns are; expected --columns"));
+  EXPECT_THAT(error_of(bytes, flags()), HasSubstr("nothing says what the 4 columns are; expected `columns`"));
 }
 
 // Frames x individuals x axes, and the same array with the first index running fastest and in 4-byte numbers of the other byte order.
@@ -39,7 +39,7 @@ TEST(Numpy, PositionsByFrameAndIndividual) {
   const auto turned = read(bytes, flags("id,frame,x,y"));
   EXPECT_EQ(turned.track_count(), 3);
   EXPECT_EQ(turned.frames().size(), 2);
-  EXPECT_THAT(error_of(bytes, flags()), HasSubstr("the array is 3 x 2 x 2; expected --columns frame,id,x,y or id,frame,x,y"));
+  EXPECT_THAT(error_of(bytes, flags()), HasSubstr("the array is 3 x 2 x 2; expected `columns` frame,id,x,y or id,frame,x,y"));
 
   std::string data;
   for (const int axis : {0, 1})
@@ -62,7 +62,7 @@ TEST(Numpy, OneArrayPerColumn) {
 TEST(Numpy, ChoosingAnArray) {
   const auto bytes = zipped({{"a.npy", npy({1, 4}, {1, 0, 2, 3})}, {"b.npy", npy({2, 4}, {1, 0, 2, 3, 1, 1, 2, 3})}});
   EXPECT_THAT(error_of(bytes, flags("id,frame,x,y")),
-              HasSubstr("several could hold positions among its arrays a (1 x 4), b (2 x 4); expected --var NAME"));
+              HasSubstr("several could hold positions among its arrays a (1 x 4), b (2 x 4); expected `var` NAME"));
   EXPECT_EQ(read(bytes, {.columns = "id,frame,x,y", .fps = 1, .unit = "m", .variable = "b"}).rows(), 2);
   EXPECT_THAT(error_of(bytes, {.columns = "id,frame,x,y", .fps = 1, .unit = "m", .variable = "c"}), HasSubstr("there is no array 'c'"));
 }
@@ -114,7 +114,7 @@ TEST(Packed, GzipAndZip) {
 
 TEST(Packed, WhichOfSeveral) {
   const auto bytes = zipped({{"a.csv", kCsv}, {"b.csv", kCsv}});
-  EXPECT_EQ(error_of(bytes, flags()), "f.csv: the zip archive holds a.csv, b.csv; expected one recording, or --var NAME to choose one");
+  EXPECT_EQ(error_of(bytes, flags()), "f.csv: the zip archive holds a.csv, b.csv; expected one recording, or `var` NAME to choose one");
   EXPECT_EQ(read(bytes, {.fps = 1, .unit = "m", .variable = "b.csv"}).rows(), 2);
 }
 

@@ -49,7 +49,7 @@ TEST(IdTracker, SureIdentitiesOnly) {
   const auto tracks = read(file.bytes(), {.min_confidence = 0.5});
   EXPECT_EQ(tracks.rows(), 4);
   EXPECT_THAT(tracks.meta().from.notes, Contains("1 of 5 points were left out: their confidence is below 0.5"));
-  EXPECT_EQ(error_of(file.bytes(), {.node = "nose"}), "--node nose: f.csv has no such point; expected mean or one of centroid");
+  EXPECT_EQ(error_of(file.bytes(), {.node = "nose"}), "`node` nose: f.csv has no such point; expected mean or one of centroid");
 }
 
 // Two tracks, two nodes, three frames; x = 100 track + 10 node + frame.
@@ -70,9 +70,9 @@ void make_sleap(MadeHdf5& file, double gap = kNan) {
 TEST(Sleap, OnePointOfThePosture) {
   MadeHdf5 file;
   make_sleap(file);
-  EXPECT_EQ(error_of(file.bytes(), {.fps = 25}), "f.csv: every individual has 2 points, nose, tail; expected --node NAME or --node mean");
+  EXPECT_EQ(error_of(file.bytes(), {.fps = 25}), "f.csv: every individual has 2 points, nose, tail; expected `node` NAME or `node` mean");
   EXPECT_EQ(error_of(file.bytes(), {.node = "nose"}),
-            "f.csv: the frame rate is not in the file; expected the flag --fps, for example --fps 25");
+            "f.csv: the frame rate is not in the file; expected the flag `fps`, for example `fps` 25");
   const auto tracks = read(file.bytes(), {.fps = 25, .node = "nose"});
   EXPECT_EQ(tracks.meta().from.format, "sleap");
   EXPECT_EQ(tracks.meta().unit, "px");
@@ -120,7 +120,7 @@ TEST(PedestrianHdf5, WhatIsNotThereIsAskedFor) {
   MadeHdf5 file;
   file.table("/trajectory", {{"id:", {2}}, {"frame:", {5}}, {"x", {1}}, {"y", {4}}});
   EXPECT_EQ(error_of(file.bytes()),
-            "f.csv: neither frame rate nor length unit is in the file; expected both flags, for example --fps 25 --unit m");
+            "f.csv: neither frame rate nor length unit is in the file; expected both flags, for example `fps` 25 `unit` m");
   MadeHdf5 torn;
   torn.table("/trajectory", {{"id:", {2, 3}}, {"frame", {5, 5.5}}, {"x", {1, 1}}, {"y", {4, 4}}});
   EXPECT_EQ(error_of(torn.bytes(), flags()), "f.csv: row 2: the frame number 5.5 is not an integer; expected whole frames");
@@ -176,7 +176,7 @@ TEST(Nwb, PosesOfOneIndividual) {
   EXPECT_EQ(read(file.bytes(), {.min_confidence = 0.5}).rows(), 2);
   make_nwb(file, "Other", {"paw", "tail"});
   EXPECT_EQ(error_of(file.bytes()),
-            "f.csv: there are 2 PoseEstimation, Other, PoseEstimation; expected --var NAME, one individual seen by one camera");
+            "f.csv: there are 2 PoseEstimation, Other, PoseEstimation; expected `var` NAME, one individual seen by one camera");
   EXPECT_EQ(read(file.bytes(), {.variable = "Other", .node = "tail"}).rows(), 3);
 }
 
@@ -229,8 +229,8 @@ TEST(Hdf5, UnknownLayoutSaysWhatIsThere) {
   MadeHdf5 file;
   file.numbers("/a/b", {2, 3}, std::vector<double>(6));
   EXPECT_EQ(error_of(file.bytes()),
-            "f.csv: is an HDF5 file of no known layout, which holds /a/b (2 x 3); expected one that swarmfit formats lists, or --columns "
-            "and --var for its arrays");
+            "f.csv: is an HDF5 file of no known layout, which holds /a/b (2 x 3); expected one that swarmfit formats lists, or `columns` "
+            "and `var` for its arrays");
   EXPECT_THAT(error_of(file.bytes(), {.format = "idtracker"}), HasSubstr("expected trajectories.h5 of idtracker.ai"));
   EXPECT_THAT(error_of(file.bytes(), {.format = "sleap"}), HasSubstr("expected an analysis file of SLEAP"));
   EXPECT_THAT(error_of("id,x,y\n1,2,3\n", {.format = "pedestrian-h5"}), HasSubstr("expected HDF5 of the Pedestrian Dynamics Data Archive"));
@@ -244,7 +244,7 @@ TEST(Hdf5, PlainArraysAsTheUserSays) {
   EXPECT_EQ(tracks.meta().from.format, "hdf5");
   EXPECT_EQ(tracks.pos()(1, 1), 4);
   EXPECT_THAT(error_of(file.bytes(), flags("id,frame,x,y")),
-              HasSubstr("several could hold positions among its arrays run/other (2 x 4), run/rows (2 x 4); expected --var NAME"));
+              HasSubstr("several could hold positions among its arrays run/other (2 x 4), run/rows (2 x 4); expected `var` NAME"));
 }
 
 TEST(Hdf5, OtherFilesAreNotOpened) {

@@ -31,7 +31,7 @@ const std::string kSleap =
     "b,1,0.9,6,20,0.9,8,20,0.9\n";
 
 TEST(PoseText, SleapNeedsAPoint) {
-  EXPECT_EQ(error_of(kSleap, pixels()), "f.csv: every individual has 2 points, nose, tail; expected --node NAME or --node mean");
+  EXPECT_EQ(error_of(kSleap, pixels()), "f.csv: every individual has 2 points, nose, tail; expected `node` NAME or `node` mean");
 }
 
 TEST(PoseText, SleapPointAndMean) {
@@ -64,7 +64,7 @@ TEST(PoseText, KeypointsInRows) {
   const std::string text =
       "frame,individual,keypoint,x,y,confidence\n"
       "0,m,nose,1,10,0.9\n0,m,tail,3,10,0.9\n1,m,nose,2,10,0.1\n1,m,tail,4,10,0.9\n";
-  EXPECT_THAT(error_of(text, pixels()), HasSubstr("nose, tail; expected --node NAME or --node mean"));
+  EXPECT_THAT(error_of(text, pixels()), HasSubstr("nose, tail; expected `node` NAME or `node` mean"));
   EXPECT_THAT(column(read(text, pixels("tail")), 0), ElementsAre(3, 4));
   EXPECT_THAT(column(read(text, pixels("mean")), 0), ElementsAre(2, 3));
   auto options = pixels("mean");
@@ -75,7 +75,7 @@ TEST(PoseText, KeypointsInRows) {
 }
 
 TEST(PoseText, NodeWithoutPoints) {
-  EXPECT_THAT(error_of("id,frame,x,y\n1,0,1,2\n1,1,1,2\n", pixels("nose")), HasSubstr("--node nose: f.csv (text) has no named points"));
+  EXPECT_THAT(error_of("id,frame,x,y\n1,0,1,2\n1,1,1,2\n", pixels("nose")), HasSubstr("`node` nose: f.csv (text) has no named points"));
 }
 
 TEST(TrackMateCsv, FourRowsOfNames) {

@@ -125,7 +125,7 @@ TEST(ReadRightly, NumbersThatMayStandForNotSeen) {
     const auto text = kHead + "1,0,1,2\n" + row(1) + "1,2,1,2\n" + row(3) + row(4) + "1,5,1,2\n";
     const auto noted = read(text, flags());
     EXPECT_EQ(noted.rows(), 6);
-    EXPECT_THAT(noted.meta().from.notes, Contains(HasSubstr(fmt::format("if that stands for not seen, add --missing {}", code))));
+    EXPECT_THAT(noted.meta().from.notes, Contains(HasSubstr(fmt::format("if that stands for not seen, add `missing` {}", code))));
     auto options = flags();
     options.missing = std::stod(code);
     const auto cured = read(text, options);
@@ -267,7 +267,7 @@ TEST(ReadRightly, SixtyHertzWithTwoDecimals) {
 
 TEST(ReadRightly, SixtyHertzWithTwoDecimalsAndAHole) {
   EXPECT_THAT(error_of(at_60_hertz(60, 20), {.unit = "m"}),
-              HasSubstr("times are written in steps of 0.01 s, too coarsely to tell the frame interval; expected the flag --fps"));
+              HasSubstr("times are written in steps of 0.01 s, too coarsely to tell the frame interval; expected the flag `fps`"));
   const auto tracks = read(at_60_hertz(60, 20), {.fps = 60, .unit = "m"});
   EXPECT_EQ(tracks.frames().size(), 59u);
   EXPECT_EQ(frames_of(tracks).back(), 59);
@@ -292,7 +292,7 @@ TEST(ReadRightly, WholeSecondsBesideFrames) {
 TEST(ReadRightly, IrregularTimesOnFramesOfAGivenRate) {
   std::string text = "id,t,x,y\n";
   for (int i = 0; i < 40; ++i) text += fmt::format("1,{},{},2\n", std::pow(i, 1.5), i);
-  EXPECT_THAT(error_of(text, {.unit = "m"}), HasSubstr("expected time stamps at a constant interval (--fps puts them on one)"));
+  EXPECT_THAT(error_of(text, {.unit = "m"}), HasSubstr("expected time stamps at a constant interval (`fps` puts them on one)"));
   const auto tracks = read(text, {.fps = 2, .unit = "m"});
   for (Index i = 0; i < 40; ++i) EXPECT_EQ(tracks.frame()[static_cast<std::size_t>(i)], std::llround(2 * std::pow(i, 1.5)));
   EXPECT_THAT(tracks.meta().from.notes, Contains(HasSubstr("rows were put on the nearest frame of 0.5 s, by up to 0.2")));
@@ -316,7 +316,7 @@ TEST(ReadRightly, PairsThatMayBeIndividualsOrPoints) {
   const std::string text = "frame,nose_x,nose_y,tail_x,tail_y\n0,11,1,21,2\n1,12,1,22,2\n";
   EXPECT_EQ(
       error_of(text, flags()),
-      "f.csv:1: there are several pairs of columns x and y: nose, tail; expected --wide when each is an individual, --node NAME or --node "
+      "f.csv:1: there are several pairs of columns x and y: nose, tail; expected `wide` when each is an individual, `node` NAME or `node` "
       "mean when they are points of one");
   auto options = flags();
   options.wide = true;

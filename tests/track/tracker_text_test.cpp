@@ -59,7 +59,7 @@ TEST(DeepLabCutCsv, OneAnimal) {
   const std::string text =
       "scorer,net,net,net,net,net,net\nbodyparts,head,head,head,tail,tail,tail\ncoords,x,y,likelihood,x,y,likelihood\n"
       "0,1,10,0.9,3,10,0.9\n1,2,10,0.1,4,10,0.9\n";
-  EXPECT_THAT(error_of(text, at_25_hertz()), HasSubstr("head, tail; expected --node NAME or --node mean"));
+  EXPECT_THAT(error_of(text, at_25_hertz()), HasSubstr("head, tail; expected `node` NAME or `node` mean"));
   EXPECT_THAT(column(read(text, at_25_hertz("head")), 0), ElementsAre(1, 2));
   EXPECT_EQ(read(text, at_25_hertz("head")).meta().unit, "px");
   auto options = at_25_hertz("mean");

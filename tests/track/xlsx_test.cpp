@@ -76,7 +76,7 @@ TEST(EthoVision, OneSheetPerSubject) {
 
 TEST(EthoVision, WhatIsNotOneRecording) {
   const auto trials = xlsx({{"s1", track("Ada", "T1")}, {"s2", track("Ada", "T2")}});
-  EXPECT_THAT(error_of(trials), HasSubstr("its sheets are of 2 trials, which are not one recording; expected --var SHEET, one of s1, s2"));
+  EXPECT_THAT(error_of(trials), HasSubstr("its sheets are of 2 trials, which are not one recording; expected `var` SHEET, one of s1, s2"));
   EXPECT_THAT(read(trials, {.variable = "s2"}).names(), ElementsAre("Ada"));
   EXPECT_THAT(error_of(xlsx({{"s1", track("Ada", "T1", "mm")}})), HasSubstr("sheet 's1' row 6 has positions in several units"));
   auto wrong = track("Ada", "T1");
@@ -96,7 +96,7 @@ TEST(Spreadsheet, AnyTable) {
   EXPECT_EQ(tracks.rows(), 2);
   const Cells table = {{"id", "frame", "x", "y"}, {"1", "0", "1", "2"}};
   EXPECT_EQ(error_of(xlsx({{"p", table}, {"q", table}}), flags()),
-            "f.csv: the spreadsheet has the sheets p, q; expected --var SHEET to choose one");
+            "f.csv: the spreadsheet has the sheets p, q; expected `var` SHEET to choose one");
   EXPECT_EQ(read(xlsx({{"p", table}, {"q", table}}), {.fps = 1, .unit = "m", .variable = "q"}).rows(), 1);
 }
 
