@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/cluster.h"
+#include "cli/config_file.h"
 #include "cli/interrupt.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
@@ -29,12 +30,17 @@ bool is_unfinished(const std::string& dir) {
 Checkpoint checkpoint_in(const std::string& dir, const RunIdentity& run, bool resume) {
   const std::string path = path_in(dir);
   const bool go_on = resume && std::filesystem::exists(path);
+  // The checkpoint knows its config.toml byte for byte; an earlier version may have written the same settings in other words.
+  RunIdentity as_begun = run;
+  const std::string config = dir + "/config.toml";
+  if (go_on && std::filesystem::exists(config))
+    if (std::string begun = read_file(config); same_config(begun, run.config)) as_begun.config = std::move(begun);
   // All must take the same path from the same bytes.
   if (cluster().size() > 1) {
     const std::string bytes = cluster().broadcast(go_on && cluster().first() ? read_file(path) : "");
-    if (!cluster().first()) return Checkpoint::copy_of(bytes, path, run);
+    if (!cluster().first()) return Checkpoint::copy_of(bytes, path, as_begun);
   }
-  if (go_on) return {path, run};
+  if (go_on) return {path, as_begun};
   return {path, run, [dir, text = run.config] { begin_run(dir, text); }};
 }
 

@@ -8,20 +8,24 @@
 
 namespace swarmfit::cli {
 
-int describe(const DescribeArguments&);
-int convert(const ConvertArguments&);
-int evaluate(const EvaluateArguments&);
-int weigh(const WeighArguments&);
-int simulate(const SimulateArguments&);
-int fit(const FitArguments&);      // exactly one model
-int compare(const FitArguments&);  // two or more
+int run(const Arguments&);  // the command that they name
+
+int describe(const Arguments&);
+int convert(const Arguments&);
+int evaluate(const Arguments&);
+int weigh(const Arguments&);
+int simulate(const Arguments&);
+int fit(const Arguments&);      // exactly one model
+int compare(const Arguments&);  // two or more
+int resume(const Arguments&);
+int merge(const Arguments&);  // of the parts of a study, which are resumed as one
 // "fit", "compare", "recover" or "power": which command left this unfinished run? Throws InputError if there is nothing to go on with.
 std::string command_of_run(const std::string& dir);
-int report(const ReportArguments&);  // the files of a run in a paper's formats
-int recover(const RecoverArguments&);
-int power(const PowerArguments&);
-int gallery(const GalleryArguments&);
-int list_models(const ModelsArguments&);
-int list_formats(const Common&);
+int report(const Arguments&);  // the files of a run in a paper's formats
+int recover(const Arguments&);
+int power(const Arguments&);
+int gallery(const Arguments&);
+int list_models(const Arguments&);
+int list_formats(const Arguments&);
 
 }  // namespace swarmfit::cli

@@ -4,8 +4,8 @@
 
 #include "cli/commands.h"
 #include "cli/model_page.h"
+#include "cli/recordings.h"
 #include "cli/scenes.h"
-#include "cli/settings.h"
 #include "cli/style.h"
 #include "cli/version.h"
 #include "fit/compare/portrait.h"
@@ -39,9 +39,8 @@ int list(const char* what, const std::vector<ListEntry>& entries, const Common& 
 
 }  // namespace
 
-int describe(const DescribeArguments& a) {
-  use_threads(a.common);
-  const Tracks tracks = load(a.data);
+int describe(const Arguments& a) {
+  const Tracks tracks = load(a.read, a.recordings.front(), a.kind);
   const Summary summary = summarise(tracks);
   print(a.common.json ? to_json(tracks.meta(), summary)
                       : describe_text(tracks.meta(), summary, style()) + first_rows_text(tracks, style()));
@@ -49,19 +48,17 @@ int describe(const DescribeArguments& a) {
   return 0;
 }
 
-int convert(const ConvertArguments& a) {
-  use_threads(a.common);
-  Tracks tracks = load(a.data);
+int convert(const Arguments& a) {
+  Tracks tracks = load(a.read, a.recordings.front(), a.kind);
   if (a.smoothing > 0) tracks = smooth(tracks, a.smoothing);
   write_tracks(a.out, tracks);
   return 0;
 }
 
-int simulate(const SimulateArguments& a) {
+int simulate(const Arguments& a) {
   if (a.out.empty() && a.picture.empty() && a.html.empty())
     throw InputError("simulate: nothing to write; expected --out FILE, --picture FILE or --html FILE");
-  use_threads(a.common);
-  const Scene scene = simulated(a);
+  const Scene scene = simulated(a.scene);
   const Tracks& tracks = scene.tracks;
   if (!a.out.empty()) write_tracks(a.out, tracks);
   if (!a.picture.empty()) write_file_atomically(a.picture, picture_svg(tracks, scene.model.name));
@@ -70,15 +67,15 @@ int simulate(const SimulateArguments& a) {
   return 0;
 }
 
-int list_models(const ModelsArguments& a) {
+int list_models(const Arguments& a) {
   if (a.name.empty()) {
-    if (a.page || a.scene) throw InputError("models --page, --scene: of which model? expected a name before it; see swarmfit models");
+    if (a.page || a.flags) throw InputError("models --page, --scene: of which model? expected a name before it; see swarmfit models");
     std::vector<ListEntry> entries;
     for (const auto& spec : models()) entries.push_back(model_entry(spec));
     return list("models", entries, a.common);
   }
   const ModelSpec& spec = *parse_model(a.name).spec;
-  if (a.scene)
+  if (a.flags)
     print(scene_flags(std::string(spec.name)) + '\n');
   else if (a.page)
     print(model_page(spec));
@@ -89,11 +86,11 @@ int list_models(const ModelsArguments& a) {
   return 0;
 }
 
-int list_formats(const Common& common) {
+int list_formats(const Arguments& a) {
   std::vector<ListEntry> entries;
   for (const auto& format : formats())
     entries.push_back({std::string(format.name), std::string(format.summary), {{"endings", std::string(format.endings)}}});
-  return list("formats", entries, common);
+  return list("formats", entries, a.common);
 }
 
 }  // namespace swarmfit::cli

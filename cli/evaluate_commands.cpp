@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "cli/commands.h"
-#include "cli/settings.h"
+#include "cli/recordings.h"
 #include "cli/style.h"
 #include "cli/version.h"
 #include "fit/compare/portrait.h"
@@ -24,32 +24,32 @@ namespace {
 constexpr double kErrorLimit = 0.5;  // as the default protocol has it
 
 // What a fit to this recording would choose.
-std::vector<int> chosen_lags(const Tracks& real, const EvaluateArguments& a) {
+std::vector<int> chosen_lags(const Tracks& real, const Arguments& a) {
   const Localisation error = estimate_localisation(real);
-  return error.white && a.velocity != "recorded" ? choose_lags(real, error.sigma, kErrorLimit, a.common.seed) : std::vector<int>{1};
+  return error.white && a.compare.conditions.velocity != VelocitySource::recorded
+             ? choose_lags(real, error.sigma, kErrorLimit, a.common.seed)
+             : std::vector<int>{1};
 }
 
 }  // namespace
 
-int evaluate(const EvaluateArguments& a) {
-  use_threads(a.common);
-  DataArguments simulated = a.real;
-  simulated.path = a.simulated;
+int evaluate(const Arguments& a) {
+  ReadOptions simulated = a.read;
   if (!a.simulated_columns.empty()) simulated.columns = a.simulated_columns;
-  const Tracks real = load(a.real);
-  MetricOptions options{a.velocity == "recorded" ? VelocitySource::recorded : VelocitySource::difference, parse_lags(a.lags)};
+  const Tracks real = load(a.read, a.recordings.front(), a.kind);
+  MetricOptions options{a.compare.conditions.velocity, a.compare.lags};
   if (options.lags.empty()) options.lags = chosen_lags(real, a);
-  const Tracks other = load(simulated);
-  const Evaluation result = swarmfit::evaluate(real, other, binning(a.normalisation, a.bins), options);
+  const Tracks other = load(simulated, a.simulated, a.kind);
+  const Evaluation result = swarmfit::evaluate(real, other, a.compare.binning, options);
   std::fputs((a.common.json ? to_json(result) : evaluation_text(result, style())).c_str(), stdout);
   if (a.html.empty()) return 0;
   PairPortrait both = portrait(real, other, result);
-  both.comparison.observation.velocity = a.velocity;
+  both.comparison.observation.velocity = options.velocity == VelocitySource::recorded ? "recorded" : "difference";
   write_file_atomically(a.html, evaluation_html(result, both, a.line, kVersion));
   return 0;
 }
 
-int weigh(const WeighArguments& a) {
+int weigh(const Arguments& a) {
   const bool standard_input = a.table == "-";
   const std::string csv = standard_input ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : read_file(a.table);
   const WeighedTable result = swarmfit::weigh(standard_input ? "standard input" : a.table, csv);

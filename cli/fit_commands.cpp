@@ -15,9 +15,10 @@
 #include "cli/checkpoints.h"
 #include "cli/cluster.h"
 #include "cli/commands.h"
+#include "cli/config_file.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "cli/settings.h"
+#include "cli/recordings.h"
 #include "cli/style.h"
 #include "cli/version.h"
 #include "fit/compare/across.h"
@@ -63,15 +64,11 @@ void say_what_was_taken_up(const FitArguments& a, const Tally& tally) {
 }
 
 // Compares on one recording and writes its run directory. The checkpoint stays: the caller removes it when all is done.
-Comparison run_one(const FitArguments& a, CompareOptions options, const Tracks& recording, const std::string& path,
-                   const std::string& dir) {
+Comparison run_one(const Arguments& a, CompareOptions options, const Tracks& recording, const std::string& path, const std::string& dir) {
   const auto start = std::chrono::steady_clock::now();
   // Of what is held out, nothing may be known: not even at which lags it shows motion.
   options.lags = lags_for(make_conditions(options.hold_out ? halves(recording).fitted : recording, options.conditions), options);
-  FitArguments alone = a;
-  alone.recordings = {path};
-  alone.lags = lags_text(options.lags);  // as chosen
-  const Settings config = resolved(alone, options.models);
+  const Settings config = with(with(a.config, "DATA", toml_array({path})), "lags", toml_string(lags_text(options.lags)));  // as chosen
   const auto text = config_toml(options.models.size() > 1 ? "compare" : "fit", config);
   // Of several recordings, one whose turn had not come has no checkpoint to take up.
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, text}, a.resume);
@@ -90,23 +87,23 @@ Comparison run_one(const FitArguments& a, CompareOptions options, const Tracks& 
   return result;
 }
 
-void say_where(const FitArguments& a, const std::string& dir) {
+void say_where(const Arguments& a, const std::string& dir) {
   if (!a.common.quiet) std::fprintf(stderr, "report: %s\n", (std::filesystem::path(dir) / "report.html").c_str());
 }
 
 // Every recording gets a folder of its own, named after its file; equal names are numbered.
-int run_several(const FitArguments& a, const CompareOptions& options, const std::string& dir) {
+int run_several(const Arguments& a, const CompareOptions& options, const std::string& dir) {
   check_requests(options.requests, options.models);
   std::vector<Tracks> recordings;
   std::vector<std::string> names;
   for (const auto& path : a.recordings) {
-    recordings.push_back(load(a.data, path));
+    recordings.push_back(load(a.read, path, a.kind));
     lags_for(make_conditions(recordings.back(), options.conditions), options);  // refuses what cannot be fitted
     const auto same = std::count_if(a.recordings.begin(), a.recordings.begin() + static_cast<std::ptrdiff_t>(names.size()),
                                     [&](const std::string& other) { return name_of(other) == name_of(path); });
     names.push_back(name_of(path) + (same > 0 ? "-" + std::to_string(same + 1) : ""));
   }
-  if (!a.resume && cluster().first()) begin_run(dir, config_toml("compare", resolved(a, options.models)));
+  if (!a.resume && cluster().first()) begin_run(dir, config_toml("compare", a.config));
   std::vector<Comparison> results;
   std::vector<RecordingPage> pages;
   for (std::size_t k = 0; k < recordings.size(); ++k) {
@@ -125,14 +122,14 @@ int run_several(const FitArguments& a, const CompareOptions& options, const std:
   return 0;
 }
 
-int run(const FitArguments& a, const CompareOptions& options) {
-  use_threads(a.common);
+int run_fit(const Arguments& a) {
+  const CompareOptions& options = a.compare;
   if (a.max_time > 0) stop_after(a.max_time);
   const std::string dir = !a.out.empty() ? a.out : "swarmfit-" + (a.recordings.size() > 1 ? "several" : name_of(a.recordings.front()));
   if (cluster().first()) check_run_directory(dir);
   try {
     if (a.recordings.size() > 1) return run_several(a, options, dir);
-    const Comparison result = run_one(a, options, load(a.data, a.recordings.front()), a.recordings.front(), dir);
+    const Comparison result = run_one(a, options, load(a.read, a.recordings.front(), a.kind), a.recordings.front(), dir);
     remove_checkpoint(dir);
     std::fputs(a.common.json ? to_json(result).c_str() : ranking_text(result, style()).c_str(), stdout);
     say_where(a, dir);
@@ -152,21 +149,17 @@ std::string command_of_run(const std::string& dir) {
   return command;
 }
 
-int compare(const FitArguments& given) {
-  const FitArguments a = with_protocol(given);
-  const CompareOptions options = compare_options(a);
-  if (options.models.size() < 2)
+int compare(const Arguments& a) {
+  if (a.compare.models.size() < 2)
     throw InputError(
         "compare: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all (or swarmfit fit for one model)");
-  return run(a, options);
+  return run_fit(a);
 }
 
-int fit(const FitArguments& given) {
-  const FitArguments a = with_protocol(given);
-  const CompareOptions options = compare_options(a);
+int fit(const Arguments& a) {
   if (a.recordings.size() != 1) throw InputError("fit: expected one recording; swarmfit compare takes several");
-  if (options.models.size() != 1) throw InputError("fit: expected exactly one model, as in -m bswarm; swarmfit compare takes several");
-  return run(a, options);
+  if (a.compare.models.size() != 1) throw InputError("fit: expected exactly one model, as in -m bswarm; swarmfit compare takes several");
+  return run_fit(a);
 }
 
 }  // namespace swarmfit::cli

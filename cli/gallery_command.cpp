@@ -3,7 +3,6 @@
 
 #include "cli/commands.h"
 #include "cli/scenes.h"
-#include "cli/settings.h"
 #include "cli/version.h"
 #include "libtrack/file.h"
 #include "reports/recording/gallery_html.h"
@@ -15,13 +14,12 @@ constexpr std::int64_t kFrames = 240;  // some seconds, and a page that stays sm
 
 }  // namespace
 
-int gallery(const GalleryArguments& a) {
-  use_threads(a.common);
+int gallery(const Arguments& a) {
   std::vector<Exhibit> exhibits;
   for (const ModelSpec& spec : models()) {
     const std::string name(spec.name);
-    SimulateArguments scene = scene_of(name);
-    scene.common.seed = a.common.seed;
+    SceneArguments scene = scene_of(name);
+    scene.seed = a.common.seed;
     scene.frames = kFrames;
     const Scene made = simulated(scene);
     exhibits.push_back(

@@ -31,7 +31,6 @@ Part part_of(const std::string& dir) {
 }  // namespace
 
 Part parse_part(const std::string& text) {
-  if (text.empty()) return {};
   Part part{0, 0};
   const char* end = text.data() + text.size();
   const auto number = std::from_chars(text.data(), end, part.number);
@@ -39,7 +38,7 @@ Part parse_part(const std::string& text) {
     const auto of = std::from_chars(number.ptr + 1, end, part.of);
     if (of.ec == std::errc() && of.ptr == end && part.number >= 1 && part.number <= part.of) return part;
   }
-  throw InputError(fmt::format("--part {}: no part; expected k/n with k from 1 to n, as in 3/20", text));
+  throw InputError(fmt::format("{} is no part; expected k/n with k from 1 to n, as in 3/20", text));
 }
 
 int part_done(const std::string& dir, const Part& part, bool quiet) {
@@ -48,15 +47,15 @@ int part_done(const std::string& dir, const Part& part, bool quiet) {
   return 0;
 }
 
-void merge_parts(const MergeArguments& a) {
-  check_run_directory(a.out);
+void merge_parts(const std::vector<std::string>& dirs, const std::string& out) {
+  check_run_directory(out);
   std::map<int, std::string> parts;
-  const int of = part_of(a.dirs.front()).of;
-  const std::string config = read_file(a.dirs.front() + "/config.toml");
-  for (const std::string& dir : a.dirs) {
+  const int of = part_of(dirs.front()).of;
+  const std::string config = read_file(dirs.front() + "/config.toml");
+  for (const std::string& dir : dirs) {
     const Part part = part_of(dir);
     if (part.of != of || read_file(dir + "/config.toml") != config)
-      throw InputError(fmt::format("{}: a part of another study than {}; expected parts of one, with the same settings", dir, a.dirs.front()));
+      throw InputError(fmt::format("{}: a part of another study than {}; expected parts of one, with the same settings", dir, dirs.front()));
     if (!parts.emplace(part.number, dir).second)
       throw InputError(fmt::format("{}: part {} of {}, as is {}; expected each part once", dir, part.number, of, parts[part.number]));
   }
@@ -65,8 +64,8 @@ void merge_parts(const MergeArguments& a) {
   std::vector<std::string> checkpoints;
   for (const auto& [number, dir] : parts)
     if (std::filesystem::exists(dir + "/checkpoint")) checkpoints.push_back(dir + "/checkpoint");  // with more parts than cases, some are empty
-  begin_run(a.out, config);
-  Checkpoint::merge(checkpoints, a.out + "/checkpoint");
+  begin_run(out, config);
+  Checkpoint::merge(checkpoints, out + "/checkpoint");
 }
 
 }  // namespace swarmfit::cli

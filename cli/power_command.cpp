@@ -10,7 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/parts.h"
 #include "cli/progress.h"
-#include "cli/settings.h"
+#include "cli/recordings.h"
 #include "cli/style.h"
 #include "cli/version.h"
 #include "libtrack/error.h"
@@ -18,35 +18,31 @@
 
 namespace swarmfit::cli {
 
-int power(const PowerArguments& given) {
-  const FitArguments a = with_protocol(given.fit);
-  use_threads(a.common);
-  const PowerOptions options{compare_options(a), given.seeds};
+int power(const Arguments& a) {
+  const PowerOptions options{a.compare, a.seeds};
   if (a.recordings.size() != 1) throw InputError("power: expected one recording");
   if (options.compare.models.size() < 2)
     throw InputError("power: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
-  const Part part = parse_part(given.part);
   const std::string dir = a.out.empty() ? "swarmfit-power" : a.out;
   if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
-  Settings settings = resolved(a, options.compare.models);
-  settings.emplace_back("seeds", std::to_string(given.seeds));
-  const Tracks recording = load(a.data, a.recordings.front());
+  const Settings& settings = a.config;
+  const Tracks recording = load(a.read, a.recordings.front(), a.kind);
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, config_toml("power", settings)}, a.resume);
   Power result;
   try {
-    StudyProgress progress(a.common.quiet, 1 + options.compare.models.size() * static_cast<std::size_t>(given.seeds));
+    StudyProgress progress(a.common.quiet, 1 + options.compare.models.size() * static_cast<std::size_t>(a.seeds));
     const auto on_power = [&](std::size_t done, std::size_t) {
       if (done > 0) progress.done(done == 1 ? "models fitted to the recording" : "a planted recording compared");
     };
     const auto on_progress = [&](const CompareProgress& now) { progress.show(now); };
-    result = swarmfit::power(recording, options, on_power, {on_progress, {&executor(), &checkpoint}, part});
+    result = swarmfit::power(recording, options, on_power, {on_progress, {&executor(), &checkpoint}, a.part});
   } catch (const Interrupted&) {
     return stopped_before_the_end(dir);
   }
   result.fitted.version = kVersion;
   if (!cluster().first()) return 0;
-  if (part.of > 1) return part_done(dir, part, a.common.quiet);
+  if (a.part.of > 1) return part_done(dir, a.part, a.common.quiet);
   write_power(dir, result, settings);
   remove_checkpoint(dir);
   std::fputs(a.common.json ? to_json(result, settings).c_str() : power_text(result, style()).c_str(), stdout);

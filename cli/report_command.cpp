@@ -40,7 +40,7 @@ int run_program(const std::vector<std::string>& words) {
 
 void require_converter() {
   if (run_program({kConverter, "--version"}) != 0)
-    throw RunError(fmt::format("--format pdf: {} does not run; install it (package librsvg2-bin), or take --format svg", kConverter));
+    throw RunError(fmt::format("`format` pdf: {} does not run; install it (package librsvg2-bin), or take `format` svg", kConverter));
 }
 
 void write_pdf(const std::string& svg, const std::string& pdf) {
@@ -63,7 +63,7 @@ std::string beside(const std::string& dir) {
 
 }  // namespace
 
-int report(const ReportArguments& a) {
+int report(const Arguments& a) {
   struct Job {
     RunFile file;
     bool convert;
@@ -73,7 +73,7 @@ int report(const ReportArguments& a) {
     for (RunFile& file : run_files(a.dir, format)) jobs.push_back({std::move(file), format == "pdf"});
   const std::string out = a.out.empty() ? beside(a.dir) : a.out;
   if (std::filesystem::exists(out) && !std::filesystem::is_directory(out))
-    throw InputError("--out " + out + ": is no folder; expected one");
+    throw InputError("`out` " + out + ": is no folder; expected one");
   setenv("SOURCE_DATE_EPOCH", "0", 0);  // no clock in a PDF: the same figure, the same bytes
   for (const Job& job : jobs)
     if (job.convert) {
@@ -87,7 +87,7 @@ int report(const ReportArguments& a) {
       write_pdf(job.file.path, target);
     else
       write_file_atomically(target, read_file(job.file.path));
-    if (!a.quiet) std::printf("%s\n", target.c_str());
+    if (!a.common.quiet) std::printf("%s\n", target.c_str());
   }
   return 0;
 }

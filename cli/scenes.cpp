@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "cli/settings.h"
+#include "cli/parse.h"
 #include "fit/experiment/plant.h"
 
 namespace swarmfit::cli {
@@ -52,7 +52,7 @@ const Motif& motif_of(const std::string& model) {
 
 }  // namespace
 
-Scene simulated(const SimulateArguments& a) {
+Scene simulated(const SceneArguments& a) {
   Scene scene{parse_model(a.model), {}, {}};
   PlantOptions o;
   o.dims = a.dims;
@@ -66,7 +66,7 @@ Scene simulated(const SimulateArguments& a) {
   o.start_speed = a.start_speed;
   o.sigma = a.noise;
   o.dropout = a.dropout;
-  o.seed = a.common.seed;
+  o.seed = a.seed;
   o.unit = a.unit;
   o.path = scene.model.name;
   scene.parameters = scene_parameters(scene.model, parse_assignments(a.set));
@@ -79,9 +79,9 @@ ModelCard card_of(const Scene& scene) {
           scene_table(scene.model, scene.parameters, scene.tracks.meta().unit)};
 }
 
-SimulateArguments scene_of(const std::string& model) {
+SceneArguments scene_of(const std::string& model) {
   const Motif& m = motif_of(model);
-  SimulateArguments a;
+  SceneArguments a;
   a.model = model;
   a.agents = m.agents;
   a.frames = m.frames;

@@ -17,12 +17,12 @@ struct Scene {
   std::vector<double> parameters;
   Tracks tracks;
 };
-Scene simulated(const SimulateArguments&);
+Scene simulated(const SceneArguments&);
 
 ModelCard card_of(const Scene&);
 
 // What shows best what a model is known for, in few frames; the defaults for models that need no help.
-SimulateArguments scene_of(const std::string& model);
+SceneArguments scene_of(const std::string& model);
 // The same as flags of `simulate`, for another number of frames if one is given.
 std::string scene_flags(const std::string& model, std::int64_t frames = 0);
 

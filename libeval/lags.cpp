@@ -47,13 +47,13 @@ std::vector<int> parse_lags(const std::string& text) {
     const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), lag);
     if (error != std::errc() || stop != part.data() + part.size() || lag < 1 || lag > kLongestNamed)
       throw InputError(
-          fmt::format("--lags {}: '{}' is not a number of frames; expected auto or positive whole numbers such as 1,4,16", text, part));
+          fmt::format("`lags` {}: '{}' is not a number of frames; expected auto or positive whole numbers such as 1,4,16", text, part));
     lags.push_back(lag);
     begin = end + 1;
   }
   std::sort(lags.begin(), lags.end());
   if (const auto twice = std::adjacent_find(lags.begin(), lags.end()); twice != lags.end())
-    throw InputError(fmt::format("--lags {}: {} is named twice; expected different lags", text, *twice));
+    throw InputError(fmt::format("`lags` {}: {} is named twice; expected different lags", text, *twice));
   return lags;
 }
 
@@ -63,7 +63,7 @@ void require_lags(const Tracks& tracks, const std::vector<int>& lags) {
   const int lag = lags.empty() ? 1 : lags.back();
   const Index longest = longest_run(tracks);
   if (lag > 1 && longest < span_of(lag))
-    throw InputError(fmt::format("--lags {}: a jerk at lag {} takes {} frames in a row, the longest unbroken track has {}; expected {}",
+    throw InputError(fmt::format("`lags` {}: a jerk at lag {} takes {} frames in a row, the longest unbroken track has {}; expected {}",
                                  lags_text(lags), lag, span_of(lag), longest,
                                  longest < span_of(2) ? "1" : fmt::format("lags of at most {}", (longest - 1) / 3)));
 }

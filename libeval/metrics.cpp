@@ -183,9 +183,9 @@ void neighbours(const Tracks& tracks, const Velocities& v, Book& out) {
 void require_velocities(const Tracks& tracks, const MetricOptions& options) {
   if (options.velocity != VelocitySource::recorded) return;
   if (!tracks.has_velocity())
-    throw InputError("--velocity recorded: the recording has no velocity columns; expected columns for vx, vy (and vz)");
+    throw InputError("`velocity` recorded: the recording has no velocity columns; expected columns for vx, vy (and vz)");
   if (options.lags != std::vector<int>{1})
-    throw InputError("--velocity recorded: recorded velocities belong to an instant; expected --lags 1");
+    throw InputError("`velocity` recorded: recorded velocities belong to an instant; expected `lags` 1");
 }
 
 MetricSamples samples_of_kind(const Tracks& tracks, MetricOptions options) {

@@ -40,16 +40,16 @@ CompareOptions with_common_dynamics(const Tracks& recording, const CompareOption
   const ModelSpec* spec = options.models.front().spec;
   for (const ModelChoice& model : options.models)
     if (model.spec != spec)
-      throw InputError(fmt::format("--common: {} and {} are different models; expected settings of one, as in --preset noise",
+      throw InputError(fmt::format("`common`: {} and {} are different models; expected settings of one, as in `preset` noise",
                                    options.models.front().name, model.name));
   const Scales scales = make_conditions(recording, options.conditions).scales;
   CompareOptions common = options;
   common.common = shared_parameters(options.models, scales, options.requests);
-  if (common.common.empty()) throw InputError("--common: the models share no parameter that is searched; expected at least one");
+  if (common.common.empty()) throw InputError("`common`: the models share no parameter that is searched; expected at least one");
   for (const ModelChoice& model : options.models)
     if (searched_parameters(model, scales, options.requests).size() == common.common.size())
       throw InputError(
-          fmt::format("--common: {} has no parameter of its own to be told apart by; expected one that is searched", model.name));
+          fmt::format("`common`: {} has no parameter of its own to be told apart by; expected one that is searched", model.name));
   CompareOptions alone = options;
   alone.models.resize(1);
   const Comparison fit = compare(recording, alone, on_progress, runtime);

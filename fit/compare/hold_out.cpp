@@ -27,7 +27,7 @@ Halves halves(const Tracks& recording) {
   const std::int64_t half = (frames - apart) / 2;
   if (half < kFewest)
     throw InputError(
-        fmt::format("--holdout: {} frames are too few; expected at least {}, two halves of {} with L / V, {} frames, in between", frames,
+        fmt::format("`holdout`: {} frames are too few; expected at least {}, two halves of {} with L / V, {} frames, in between", frames,
                     2 * kFewest + apart, kFewest, apart));
   return {cut(recording, first, first + half), cut(recording, first + frames - half, first + frames)};
 }

@@ -50,7 +50,7 @@ int unseen_individuals(const Tracks& tracks, int population) {
   const double seen = individuals_per_frame(tracks);
   if (population < seen)
     throw InputError(
-        fmt::format("--population {}: fewer than the {:.1f} individuals seen per frame; expected at least as many", population, seen));
+        fmt::format("`population` {}: fewer than the {:.1f} individuals seen per frame; expected at least as many", population, seen));
   return static_cast<int>(std::lround(population - seen));
 }
 
@@ -67,7 +67,7 @@ double parse_number(std::string_view text, const std::string& whole) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    throw InputError(fmt::format("--arena {}: '{}' is not a number; expected open, box, sphere or x0:x1,y0:y1[,z0:z1]", whole, text));
+    throw InputError(fmt::format("`arena` {}: '{}' is not a number; expected open, box, sphere or x0:x1,y0:y1[,z0:z1]", whole, text));
   return value;
 }
 
@@ -80,12 +80,12 @@ Bounds box_from_text(const std::string& text, int dims) {
     const auto range = rest.substr(0, comma);
     const auto colon = range.find(':');
     if (colon == std::string_view::npos || (comma == std::string_view::npos) != (axis == dims - 1))
-      throw InputError(fmt::format("--arena {}: not an arena; expected open, box, sphere or {} for this recording", text,
+      throw InputError(fmt::format("`arena` {}: not an arena; expected open, box, sphere or {} for this recording", text,
                                    dims == 3 ? "x0:x1,y0:y1,z0:z1" : "x0:x1,y0:y1"));
     bounds.lower[axis] = parse_number(range.substr(0, colon), text);
     bounds.upper[axis] = parse_number(range.substr(colon + 1), text);
     if (!(bounds.lower[axis] < bounds.upper[axis]))
-      throw InputError(fmt::format("--arena {}: {} is empty; expected lower:upper with lower < upper", text, range));
+      throw InputError(fmt::format("`arena` {}: {} is empty; expected lower:upper with lower < upper", text, range));
     rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
   }
   return bounds;
@@ -95,7 +95,7 @@ void require_inside(const Bounds& bounds, const Tracks& recording, const std::st
   for (int axis = 0; axis < recording.dims(); ++axis) {
     const auto column = recording.pos().col(axis);
     if (column.minCoeff() < bounds.lower[axis] || column.maxCoeff() > bounds.upper[axis])
-      throw InputError(fmt::format("--arena {}: recorded positions reach {:.6g}:{:.6g} along {}; expected an arena that contains them",
+      throw InputError(fmt::format("`arena` {}: recorded positions reach {:.6g}:{:.6g} along {}; expected an arena that contains them",
                                    text, column.minCoeff(), column.maxCoeff(), "xyz"[axis]));
   }
 }

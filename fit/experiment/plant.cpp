@@ -88,8 +88,8 @@ std::vector<double> scene_parameters(const ModelChoice& model, const std::map<st
     const int row = model.spec->find(name);
     if (row < 0)
       throw InputError(
-          fmt::format("--set {}: {} has no such parameter; expected one of {}", name, model.spec->name, fmt::join(names, ", ")));
-    refuse_idle("--set", model.spec->parameters[static_cast<std::size_t>(row)], value);
+          fmt::format("`set` {}: {} has no such parameter; expected one of {}", name, model.spec->name, fmt::join(names, ", ")));
+    refuse_idle("`set`", model.spec->parameters[static_cast<std::size_t>(row)], value);
     values[static_cast<std::size_t>(row)] = value;
   }
   return values;

@@ -29,7 +29,7 @@ Budget budget_named(const std::string& name) {
     if (b.name == name) return b;
     names.push_back(b.name);
   }
-  throw InputError(fmt::format("--budget {}: no such budget; expected one of {}", name, fmt::join(names, ", ")));
+  throw InputError(fmt::format("`budget` {}: no such budget; expected one of {}", name, fmt::join(names, ", ")));
 }
 
 }  // namespace swarmfit

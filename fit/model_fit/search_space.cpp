@@ -91,19 +91,19 @@ void SearchSpace::apply(const ModelChoice& model, const ParameterRequests& reque
     const auto* value = find_request(requests.set, model, table[p].name);
     const auto* bounds = find_request(requests.bounds, model, table[p].name);
     if (value) {
-      check_legal("--set", table[p], *value);
-      refuse_idle("--set", table[p], *value);
+      check_legal("`set`", table[p], *value);
+      refuse_idle("`set`", table[p], *value);
       base_[p] = *value;
     }
     if (value || find_request(requests.fix, model, table[p].name)) search(p, false);
     if (!bounds) continue;
     const auto [lower, upper] = *bounds;
     if (!(lower < upper))
-      throw InputError(fmt::format("--bounds {}={}:{}: the interval is empty; expected lower < upper", table[p].name, lower, upper));
+      throw InputError(fmt::format("`bounds` {}={}:{}: the interval is empty; expected lower < upper", table[p].name, lower, upper));
     for (const double end : {lower, upper})
       if (!(table[p].log && end == 0))
-        check_legal("--bounds", table[p], end);  // a lower bound of zero makes a logarithmic axis another one
-    refuse_idle("--bounds", table[p], upper);
+        check_legal("`bounds`", table[p], end);  // a lower bound of zero makes a logarithmic axis another one
+    refuse_idle("`bounds`", table[p], upper);
     axes_[p].lower = lower;
     axes_[p].upper = upper;
     axes_[p].log = table[p].log && lower > 0;  // a zero lower bound is never log-scaled
@@ -165,9 +165,9 @@ std::vector<ParameterResult> SearchSpace::describe(const Point& x, const std::st
 }
 
 void check_requests(const ParameterRequests& requests, const std::vector<ModelChoice>& models) {
-  check_keys(requests.set, "--set", models);
-  check_keys(requests.fix, "--fix", models);
-  check_keys(requests.bounds, "--bounds", models);
+  check_keys(requests.set, "`set`", models);
+  check_keys(requests.fix, "`fix`", models);
+  check_keys(requests.bounds, "`bounds`", models);
 }
 
 }  // namespace swarmfit

@@ -85,12 +85,12 @@ class Assembly {
   void demand_flags() const {
     const bool rate = options_.fps || table_.dt > 0 || has(FileColumn::t);
     const bool unit = !options_.unit.empty() || !table_.unit.empty();
-    if (!rate && !unit) fail("neither frame rate nor length unit is in the file; expected both flags, for example `fps` 25 `unit` m");
-    if (!rate) fail("the frame rate is not in the file; expected the flag `fps`, for example `fps` 25");
-    if (!unit) fail("the length unit is not in the file; expected the flag `unit`, for example `unit` mm");
+    if (!rate && !unit) fail("neither frame rate nor length unit is in the file; expected both, for example `fps` 25 `unit` m");
+    if (!rate) fail("the frame rate is not in the file; expected `fps`, for example `fps` 25");
+    if (!unit) fail("the length unit is not in the file; expected `unit`, for example `unit` mm");
     const auto same = [](const std::string& a, const std::string& b) { return length_unit(a).value_or(a) == length_unit(b).value_or(b); };
     if (!options_.unit.empty() && !table_.unit.empty() && !same(options_.unit, table_.unit))
-      fail(fmt::format("the file states the unit {} but `unit` says {}; expected the same or no flag", table_.unit, options_.unit));
+      fail(fmt::format("the file states the unit {} but `unit` says {}; expected the same or none given", table_.unit, options_.unit));
     if (options_.fps && !(*options_.fps > 0 && std::isfinite(*options_.fps)))
       throw InputError(fmt::format("`fps`: {} is no frame rate; expected a number above 0", *options_.fps));
     if (options_.fps && table_.dt > 0) check_rate(1 / table_.dt, "the file states");
@@ -98,7 +98,7 @@ class Assembly {
 
   void check_rate(double in_file, std::string_view words) const {
     if (options_.fps && std::abs(*options_.fps / in_file - 1) > 0.01)
-      fail(fmt::format("{} {:.6g} frames per second but `fps` says {:.6g}; expected the same within 1 % or no flag", words, in_file,
+      fail(fmt::format("{} {:.6g} frames per second but `fps` says {:.6g}; expected the same within 1 %, or none given", words, in_file,
                        *options_.fps));
   }
 
@@ -177,7 +177,7 @@ class Assembly {
     FrameClock clock = has(FileColumn::frame) ? fit_known_frames(time, ordered(FileColumn::frame)) : fit_frame_clock(time, first_);
     if (!has(FileColumn::frame)) look_behind_rounding(clock, time, stated);
     if (clock.dt == 0 && stated > 0) return use_rate(time, clock, stated);
-    if (clock.dt == 0 && !(time.front() < time.back())) fail(clock.problem + "; expected the flag `fps`, for example `fps` 25");
+    if (clock.dt == 0 && !(time.front() < time.back())) fail(clock.problem + "; expected `fps`, for example `fps` 25");
     if (!clock.problem.empty()) fail(clock.problem + "; expected time stamps at a constant interval (`fps` puts them on one)");
     check_rate(1 / clock.dt, "the time stamps say");
     if (table_.dt > 0 && std::abs(table_.dt / clock.dt - 1) > 0.01)
@@ -223,7 +223,7 @@ class Assembly {
     if (better) {
       clock = std::move(*better);
     } else if (clock.problem.empty() && !(stated > 0)) {
-      fail(fmt::format("times are written in steps of {:.6g} s, too coarsely to tell the frame interval; expected the flag `fps`", step));
+      fail(fmt::format("times are written in steps of {:.6g} s, too coarsely to tell the frame interval; expected `fps`", step));
     }
   }
 

@@ -27,7 +27,7 @@ struct ColumnMap {
 };
 
 // The mapping by --columns. `names` is the header (empty when the file has none), `count` the number of columns of the file.
-// Throws InputError "--columns: ..." for unknown or repeated names, a wrong count, a mapping without x and y, or x and y in different
+// Throws InputError "`columns`: ..." for unknown or repeated names, a wrong count, a mapping without x and y, or x and y in different
 // units. `names` has `count` entries or none.
 ColumnMap map_columns(std::string_view spec, const std::vector<std::string>& names, std::size_t count);
 

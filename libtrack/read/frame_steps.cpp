@@ -24,7 +24,7 @@ void note_phases(const TrackColumns& columns, TrackMeta& meta) {
   if (common < 2) return;
   meta.from.notes.push_back(fmt::format(
       "every individual is seen in every {}. frame only, but not all in the same frames: no two of its rows are one frame apart, "
-      "and all are gaps (`fill-gaps` {} closes them)",
+      "and all are gaps (--fill-gaps {} closes them)",
       common, common - 1));
 }
 

@@ -32,7 +32,7 @@ void leave_out_codes(RawTable& table, const ReadOptions& options) {
     if (count == 0)
       throw InputError(fmt::format("`missing` {0:g}: {1} has no position ({0:g}, {0:g}); expected the value that stands for not seen",
                                    *options.missing, table.file));
-    table.notes.push_back(fmt::format("{0} rows at ({1:g}, {1:g}) were not seen (`missing`)", count, *options.missing));
+    table.notes.push_back(fmt::format("{0} rows at ({1:g}, {1:g}) were not seen (--missing)", count, *options.missing));
     return;
   }
   for (const double code : kUsual) {
@@ -41,7 +41,7 @@ void leave_out_codes(RawTable& table, const ReadOptions& options) {
       if (x[i] == code && y[i] == code && count++ == 0) first = i;
     if (count >= kSuspicious)
       table.notes.push_back(
-          fmt::format("{0} rows are exactly at ({1:g}, {1:g}) (first at {2}): if that stands for not seen, add `missing` {1:g}", count,
+          fmt::format("{0} rows are exactly at ({1:g}, {1:g}) (first at {2}): if that stands for not seen, add --missing {1:g}", count,
                       code, table.place(first)));
   }
 }

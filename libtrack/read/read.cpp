@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "libtrack/error.h"
@@ -69,9 +70,9 @@ const Reader& choose(const Source& source, const ReadOptions& options) {
 void check_point_flags(const RawTable& table, const Reader& reader, const ReadOptions& options) {
   if (!options.node.empty() && !table.has_nodes)
     throw InputError(
-        fmt::format("`node` {}: {} ({}) has no named points; expected no such flag", options.node, table.file, reader.format.name));
+        fmt::format("`node` {}: {} ({}) has no named points; expected none given", options.node, table.file, reader.format.name));
   if (options.min_confidence && !table.has_confidence)
-    throw InputError(fmt::format("`min-confidence`: {} ({}) has no confidences; expected no such flag", table.file, reader.format.name));
+    throw InputError(fmt::format("`min-confidence`: {} ({}) has no confidences; expected none given", table.file, reader.format.name));
 }
 
 void check(const ReadOptions& options) {
@@ -94,12 +95,12 @@ RawTable read_table(const std::string& name, std::string bytes, const ReadOption
   return table;
 }
 
-double parse_end(std::string_view flag, std::string_view whole, std::string_view text, double open) {
+double parse_end(std::string_view setting, std::string_view whole, std::string_view text, double open) {
   if (text.empty()) return open;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size() && value == value) return value;
-  throw InputError(fmt::format("{}: '{}' is not a range; expected first:last, first: or :last", flag, whole));
+  if (error == std::errc() && end == text.data() + text.size() && std::isfinite(value)) return value;
+  throw InputError(fmt::format("`{}`: '{}' is not a range; expected first:last, first: or :last", setting, whole));
 }
 
 }  // namespace
@@ -115,14 +116,14 @@ const Hdf5Contents* Source::hdf5() const {
   return contents.get();
 }
 
-Interval parse_interval(std::string_view flag, std::string_view text) {
+Interval parse_interval(std::string_view setting, std::string_view text) {
   const auto cut = text.find(':');
   if (cut == std::string_view::npos || text.size() == 1)
-    throw InputError(fmt::format("{}: '{}' is not a range; expected first:last, first: or :last", flag, text));
+    throw InputError(fmt::format("`{}`: '{}' is not a range; expected first:last, first: or :last", setting, text));
   Interval out;
-  out.first = parse_end(flag, text, text.substr(0, cut), out.first);
-  out.last = parse_end(flag, text, text.substr(cut + 1), out.last);
-  if (out.first > out.last) throw InputError(fmt::format("{}: '{}' is empty; expected the smaller number first", flag, text));
+  out.first = parse_end(setting, text, text.substr(0, cut), out.first);
+  out.last = parse_end(setting, text, text.substr(cut + 1), out.last);
+  if (out.first > out.last) throw InputError(fmt::format("`{}`: '{}' is empty; expected the smaller number first", setting, text));
   return out;
 }
 

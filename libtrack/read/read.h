@@ -19,8 +19,8 @@ struct Interval {
   bool contains(double value) const { return first <= value && value <= last; }
 };
 
-// "a:b" with either side open: "100:200", "100:", ":200". Throws InputError naming `flag`.
-Interval parse_interval(std::string_view flag, std::string_view text);
+// "a:b" with either side open: "100:200", "100:", ":200". Throws InputError naming the setting.
+Interval parse_interval(std::string_view setting, std::string_view text);
 
 // What the user says about a file. Frame rate and unit are taken from the file or from here, never guessed.
 struct ReadOptions {

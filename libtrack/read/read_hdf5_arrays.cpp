@@ -33,6 +33,6 @@ RawTable read(const Source& source, const ReadOptions& options) {
 
 }  // namespace
 
-const Reader kHdf5Arrays = {{"hdf5", "arrays in any HDF5 file, with `columns` and `var`", ".h5 .hdf5"}, recognises, read};
+const Reader kHdf5Arrays = {{"hdf5", "arrays in any HDF5 file, with --columns and --var", ".h5 .hdf5"}, recognises, read};
 
 }  // namespace swarmfit

@@ -70,7 +70,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   if (head) std::replace(map.of.begin(), map.of.end(), FileColumn::z, FileColumn::skip);
   map.spec = positional(map);
   RawTable table = read_rows(source, header, map, options);
-  if (head) table.notes.push_back("z is the height of the head: the motion is two-dimensional (`columns` id,frame,x,y,z reads it as 3-D)");
+  if (head) table.notes.push_back("z is the height of the head: the motion is two-dimensional (--columns id,frame,x,y,z reads it as 3-D)");
   return table;
 }
 

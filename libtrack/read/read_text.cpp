@@ -70,7 +70,7 @@ class RowReader {
     if (clock_ && !dated_ && !has_date_) go_on_over_midnight(table_);
     if (seconds_) in_seconds();
     if (!seconds_ && !options_.time_unit.empty())
-      throw InputError(fmt::format("`time-unit` {}: {} has no bare numbers of time; expected no such flag", options_.time_unit, name_));
+      throw InputError(fmt::format("`time-unit` {}: {} has no bare numbers of time; expected none given", options_.time_unit, name_));
     return std::move(table_);
   }
 
@@ -182,7 +182,7 @@ class RowReader {
     if (!unit) throw InputError(fmt::format("`time-unit`: '{}' is not known; expected s, ms, us, ns, min, h or d", text));
     if (map_.time != TimeUnit{} && map_.time != *unit)
       throw InputError(
-          fmt::format("{}: the header states another unit of time than `time-unit` {}; expected the same or no flag", name_, text));
+          fmt::format("{}: the header states another unit of time than `time-unit` {}; expected the same or none given", name_, text));
     return *unit;
   }
 

@@ -49,7 +49,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   names.number(std::filesystem::path(source.name).stem().string());
   table.names = std::move(names);
   std::erase_if(table.notes, [](const std::string& note) { return note.starts_with("the file has no id column"); });
-  table.notes.emplace_back("the file is one individual (`join` reads a folder of them)");
+  table.notes.emplace_back("the file is one individual (--join reads a folder of them)");
   return table;
 }
 

@@ -69,9 +69,9 @@ std::vector<Fault> faults() {
       {"end of summer time", "id,t,x,y\n1,02:59:58,1,2\n1,02:59:59,1,2\n1,02:00:00,1,2\n1,02:00:01,1,2\n", flags(),
        "f.csv:4: the clock falls back by an hour, as where summer time ends; expected times in UTC"},
       {"`time-unit` without effect", "id,t,x,y\n1,10:00:00,1,2\n1,10:00:01,1,2\n", with([](auto& o) { o.time_unit = "ms"; }),
-       "`time-unit` ms: f.csv has no bare numbers of time; expected no such flag"},
+       "`time-unit` ms: f.csv has no bare numbers of time; expected none given"},
       {"`time-unit` against the header", "id,t [ms],x,y\n1,1,1,2\n", with([](auto& o) { o.time_unit = "us"; }),
-       "f.csv: the header states another unit of time than `time-unit` us; expected the same or no flag"},
+       "f.csv: the header states another unit of time than `time-unit` us; expected the same or none given"},
       {"two length units", "id,frame,x [mm],y [cm]\n1,0,1,2\n", flags(),
        "f.csv:1: 'x [mm]' is in mm but 'y [cm]' in cm; expected one length unit for all coordinates"},
       {"day or month first", "id,t,x,y\n1,3/4/2021 10:00:00,1,2\n1,3/4/2021 10:00:01,1,2\n", flags(),
@@ -107,14 +107,14 @@ std::vector<Fault> faults() {
        "f.csv:1: the file has no header; expected `columns` to name its 4 columns, such as `columns` id,x,y,z (_ skips one); the first row "
        "is "
        "1,0,1,2"},
-      {"unknown unit", good, {.fps = 10}, "f.csv: the length unit is not in the file; expected the flag `unit`, for example `unit` mm"},
-      {"unknown rate", good, {.unit = "m"}, "f.csv: the frame rate is not in the file; expected the flag `fps`, for example `fps` 25"},
+      {"unknown unit", good, {.fps = 10}, "f.csv: the length unit is not in the file; expected `unit`, for example `unit` mm"},
+      {"unknown rate", good, {.unit = "m"}, "f.csv: the frame rate is not in the file; expected `fps`, for example `fps` 25"},
       {"another unit", "# unit: mm\n" + good, flags(),
-       "f.csv: the file states the unit mm but `unit` says m; expected the same or no flag"},
+       "f.csv: the file states the unit mm but `unit` says m; expected the same or none given"},
       {"another rate", "# fps: 25\n" + good, flags(),
-       "f.csv: the file states 25 frames per second but `fps` says 10; expected the same within 1 % or no flag"},
+       "f.csv: the file states 25 frames per second but `fps` says 10; expected the same within 1 %, or none given"},
       {"time against `fps`", "id,t,x,y\n1,0,1,2\n1,0.2,1,2\n", flags(),
-       "f.csv: the time stamps say 5 frames per second but `fps` says 10; expected the same within 1 % or no flag"},
+       "f.csv: the time stamps say 5 frames per second but `fps` says 10; expected the same within 1 %, or none given"},
       {"time against the stated rate",
        "# fps: 10\nid,t,x,y\n1,0,1,2\n1,0.2,1,2\n",
        {.unit = "m"},
@@ -122,7 +122,7 @@ std::vector<Fault> faults() {
       {"one moment",
        "id,t,x,y\n1,7,1,2\n2,7,1,2\n",
        {.unit = "m"},
-       "f.csv: all rows have the same time; expected the flag `fps`, for example `fps` 25"},
+       "f.csv: all rows have the same time; expected `fps`, for example `fps` 25"},
       {"conflicting rows", head + "1,0,1,2\n2,0,1,2\n1,0,1,3\n", flags(),
        "f.csv:4: individual '1' has another row for frame 0 at f.csv:2; expected one row per individual and frame"},
       {"kind", "id,frame,x,y,kind\n1,0,1,2,256\n", flags(), "f.csv:2: kind 256 is not allowed; expected an integer from 0 to 255"},
@@ -195,20 +195,20 @@ TEST(ReadErrors, NoSuchFileAndFolder) {
 }
 
 TEST(ParseInterval, BothEndsMayBeOpen) {
-  EXPECT_EQ(parse_interval("`frames`", "3:7").first, 3);
-  EXPECT_EQ(parse_interval("`frames`", "3:7").last, 7);
-  EXPECT_FALSE(parse_interval("`times`", ":2.5").contains(2.6));
-  EXPECT_TRUE(parse_interval("`times`", ":2.5").contains(-1e300));
-  EXPECT_TRUE(parse_interval("`frames`", "3:").contains(1e300));
+  EXPECT_EQ(parse_interval("frames", "3:7").first, 3);
+  EXPECT_EQ(parse_interval("frames", "3:7").last, 7);
+  EXPECT_FALSE(parse_interval("times", ":2.5").contains(2.6));
+  EXPECT_TRUE(parse_interval("times", ":2.5").contains(-1e300));
+  EXPECT_TRUE(parse_interval("frames", "3:").contains(1e300));
 }
 
 TEST(ParseInterval, Faults) {
   for (const auto* text : {"", ":", "3", "a:b", "3:7:9", "nan:", "1:x"}) {
     EXPECT_THAT(
-        [&] { parse_interval("`frames`", text); },
+        [&] { parse_interval("frames", text); },
         testing::ThrowsMessage<InputError>(std::string("`frames`: '") + text + "' is not a range; expected first:last, first: or :last"));
   }
-  EXPECT_THAT([] { parse_interval("`times`", "7:3"); },
+  EXPECT_THAT([] { parse_interval("times", "7:3"); },
               testing::ThrowsMessage<InputError>("`times`: '7:3' is empty; expected the smaller number first"));
 }
 

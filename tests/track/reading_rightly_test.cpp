@@ -125,7 +125,7 @@ TEST(ReadRightly, NumbersThatMayStandForNotSeen) {
     const auto text = kHead + "1,0,1,2\n" + row(1) + "1,2,1,2\n" + row(3) + row(4) + "1,5,1,2\n";
     const auto noted = read(text, flags());
     EXPECT_EQ(noted.rows(), 6);
-    EXPECT_THAT(noted.meta().from.notes, Contains(HasSubstr(fmt::format("if that stands for not seen, add `missing` {}", code))));
+    EXPECT_THAT(noted.meta().from.notes, Contains(HasSubstr(fmt::format("if that stands for not seen, add --missing {}", code))));
     auto options = flags();
     options.missing = std::stod(code);
     const auto cured = read(text, options);
@@ -267,7 +267,7 @@ TEST(ReadRightly, SixtyHertzWithTwoDecimals) {
 
 TEST(ReadRightly, SixtyHertzWithTwoDecimalsAndAHole) {
   EXPECT_THAT(error_of(at_60_hertz(60, 20), {.unit = "m"}),
-              HasSubstr("times are written in steps of 0.01 s, too coarsely to tell the frame interval; expected the flag `fps`"));
+              HasSubstr("times are written in steps of 0.01 s, too coarsely to tell the frame interval; expected `fps`"));
   const auto tracks = read(at_60_hertz(60, 20), {.fps = 60, .unit = "m"});
   EXPECT_EQ(tracks.frames().size(), 59u);
   EXPECT_EQ(frames_of(tracks).back(), 59);

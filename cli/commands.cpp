@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+
+#include "cli/cluster.h"
+#include "cli/parts.h"
+#include "cli/program.h"
+#include "cli/setting.h"
+#include "libtrack/error.h"
+
+namespace swarmfit::cli {
+namespace {
+
+const std::array<Command, 15> kCommands{{
+    {"describe", kDescribe, "what is in a recording and what is wrong with it", describe},
+    {"convert", kConvert, "write a recording as CSV, cleaned and with its units", convert},
+    {"simulate", kSimulate, "trajectories from a model", simulate},
+    {"evaluate", kEvaluate, "seven energies and the order parameters of two recordings", evaluate},
+    {"weigh", kWeigh, "entropy weights and scores of an energy table", weigh},
+    {"fit", kFit, "best parameters of one model", fit},
+    {"compare", kCompare, "fit several models and rank them", compare},
+    {"resume", kResume, "go on with an interrupted fit, compare, recover or power; same final bits", resume},
+    {"report", kReport, "figures, tables and methods of a run, in the formats of a paper", report},
+    {"recover", kRecover, "recordings made by each model, compared with all: which model wins on whose?", recover},
+    {"power", kPower, "before any ranking: which models could this recording tell apart, and how much more would it take?", power},
+    {"merge", kMerge, "one study of the parts that recover or power made with --part", merge},
+    {"models", kModels, "the models, their settings and parameters", list_models},
+    {"gallery", kGallery, "a page with every model in motion", gallery},
+    {"formats", kFormats, "the file formats that can be read", list_formats},
+}};
+
+}  // namespace
+
+std::span<const Command> commands() { return kCommands; }
+
+int run(const Arguments& a) {
+  const int threads = a.common.threads > 0 ? a.common.threads : cluster().threads();
+  if (threads > 0) omp_set_num_threads(threads);
+  const auto command = std::find_if(kCommands.begin(), kCommands.end(), [&](const Command& c) { return c.name == a.command; });
+  // What other processes have no part in, the first does alone.
+  return (command->bit & kShared) != 0 || cluster().first() ? command->run(a) : 0;
+}
+
+// The run's own command, read from its config.toml.
+int resume(const Arguments& a) {
+  const std::string config = a.dir + "/config.toml";
+  auto run_of = parse({command_of_run(a.dir), "--config", config, "--out", a.dir});
+  run_of->resume = true;
+  run_of->max_time = a.max_time;
+  run_of->part = a.part;
+  if (a.part.of > 1 && run_of->command != "recover" && run_of->command != "power")
+    throw InputError(fmt::format("`part`: {} is a run of swarmfit {}; expected recover or power", a.dir, run_of->command));
+  run_of->common.threads = a.common.threads;
+  run_of->common.json = a.common.json;
+  run_of->common.quiet = a.common.quiet;
+  return run(*run_of);
+}
+
+int merge(const Arguments& a) {
+  if (cluster().first()) merge_parts(a.dirs, a.out);
+  cluster().broadcast("");  // the others wait for it
+  Arguments whole = a;
+  whole.dir = a.out;
+  return resume(whole);
+}
+
+}  // namespace swarmfit::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "cli/recordings.h"
+
+#include <iostream>
+#include <iterator>
+
+#include "cli/cluster.h"
+#include "fit/experiment/plant.h"
+#include "libtrack/cut.h"
+#include "libtrack/error.h"
+#include "libtrack/write/write.h"
+
+namespace swarmfit::cli {
+
+namespace {
+
+Tracks read(const ReadOptions& options, const std::string& path) {
+  // The built-in recording goes through the reader like any other, so that --frames, --fill-gaps and the rest hold for it too.
+  if (path == "demo") return read_tracks_bytes("demo", to_csv(demo_recording()), options);
+  if (path != "-") return read_tracks(path, options);
+  if (cluster().size() > 1) throw InputError("-: standard input reaches only one of several processes; expected a file that all can read");
+  return read_tracks_bytes("standard input", {std::istreambuf_iterator<char>(std::cin), {}}, options);
+}
+
+}  // namespace
+
+Tracks load(const ReadOptions& options, const std::string& path, const std::string& kind) {
+  const Tracks tracks = read(options, path);
+  return kind.empty() ? tracks : of_kind(tracks, kind_named(tracks, kind));
+}
+
+}  // namespace swarmfit::cli

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Settings: how models are fitted and compared.
+#include "cli/parse.h"
+#include "cli/tables.h"
+#include "libeval/lags.h"
+
+namespace swarmfit::cli {
+namespace {
+
+constexpr double kMostCandidates = 1e9, kMostReplicates = 10'000, kMostBins = 100'000, kMostIndividuals = 100'000;
+constexpr double kStrongestSmoothing = 10'000;  // frames
+constexpr double kMostRecordings = 10'000;      // per model
+constexpr int kRen2016Passes = 10;              // of the calibration loop; the paper iterates until the weights settle and names no limit
+constexpr std::string_view kSearch = "Search", kConditions = "Conditions", kScoring = "Scoring";
+
+std::vector<std::string_view> budget_names() {
+  std::vector<std::string_view> names;
+  for (const Budget& budget : budgets()) names.emplace_back(budget.name);
+  return names;
+}
+
+std::vector<Setting> search() {
+  return {
+      {.name = "protocol",
+       .in = kComparisons,
+       .help = "default, or ren2016, the paper's literal choices: z-scores of each set by itself, no localisation error or rounding, the "
+               "fewest steps, all seven metrics, lag 1, the bare range for p2, pooled simulations, searches under the last weights, up to "
+               "ten passes; flags given beside it win",
+       .allowed = one_of({"default", "ren2016"}),
+       .initial = "default",
+       .use =
+           [](Arguments& a, const Value& v) {
+             a.compare.protocol = v.text();
+             a.compare.conditions.rounding = v.text() != "ren2016";
+           }},
+      {.name = "budget",
+       .in = kComparisons,
+       .help = "how long to search: quick, default or thorough",
+       .allowed = one_of(budget_names()),
+       .initial = "default",
+       .group = kSearch,
+       .elsewhere = {kPower | kRecover, "quick"},
+       .use =
+           [](Arguments& a, const Value& v) {
+             a.compare.budget = budget_named(v.text());
+             if (a.compare.protocol == "ren2016") a.compare.budget.passes = kRen2016Passes;
+           }},
+      {.name = "parameters",
+       .in = kRecover,
+       .help = "of one model: do the 95 % intervals of its parameters hold the true values? These are drawn from the whole range that is "
+               "searched",
+       .allowed = on_or_off(),
+       .use = [](Arguments& a, const Value& v) { a.parameters = v.on(); }},
+      {.name = "max-evaluations",
+       .in = kComparisons,
+       .help = "hard limit of candidates per model",
+       .allowed = whole(0, kMostCandidates),
+       .group = kSearch,
+       .use = [](Arguments& a, const Value& v) { a.compare.max_evaluations = v.whole<std::int64_t>(); }},
+      {.name = "replicates",
+       .in = kFits,
+       .help = "simulations per candidate, instead of the budget's",
+       .allowed = whole(0, kMostReplicates),
+       .group = kSearch,
+       .use =
+           [](Arguments& a, const Value& v) {
+             if (v.whole<int>() > 0) a.compare.budget.search.replicates = v.whole<int>();
+           }},
+      {.name = "set",
+       .in = kFits,
+       .help = "parameter=value, not searched; model.parameter=value for one model",
+       .allowed = texts(),
+       .group = kSearch,
+       .use = [](Arguments& a, const Value& v) { a.compare.requests.set = parse_assignments(v.words); }},
+      {.name = "fix",
+       .in = kFits,
+       .help = "parameters to keep at their default",
+       .allowed = split_texts(),
+       .group = kSearch,
+       .use =
+           [](Arguments& a, const Value& v) {
+             for (const auto& name : v.words) a.compare.requests.fix[name] = true;
+           }},
+      {.name = "bounds",
+       .in = kFits,
+       .help = "parameter=lower:upper, searched in between",
+       .allowed = texts(),
+       .group = kSearch,
+       .use = [](Arguments& a, const Value& v) { a.compare.requests.bounds = parse_bounds(v.words); }},
+  };
+}
+
+std::vector<Setting> conditions() {
+  return {
+      {.name = "presence",
+       .in = kFits,
+       .help = "who is there when: recorded, or constant (everybody of the first frame, throughout)",
+       .allowed = one_of({"recorded", "constant"}),
+       .initial = "recorded",
+       .group = kConditions,
+       .use =
+           [](Arguments& a, const Value& v) {
+             using Presence = ConditionOptions::Presence;
+             a.compare.conditions.presence = v.text() == "constant" ? Presence::constant : Presence::recorded;
+           }},
+      {.name = "arena",
+       .in = kFits,
+       .help = "open, box, sphere, or x0:x1,y0:y1[,z0:z1]",
+       .initial = "open",
+       .group = kConditions,
+       .use = [](Arguments& a, const Value& v) { a.compare.conditions.arena = v.text(); }},
+      {.name = "population",
+       .in = kFits,
+       .help = "how many individuals there were, where only part of the group was tracked: the rest is simulated unseen",
+       .allowed = whole(1, kMostIndividuals),
+       .group = kConditions,
+       .use = [](Arguments& a, const Value& v) { a.compare.conditions.population = v.whole<int>(); }},
+      {.name = "common",
+       .in = kCompare,
+       .help = "fit what all the models have in common once, with the first of them, and keep it (the paper's noise comparison)",
+       .allowed = on_or_off(),
+       .group = kSearch,
+       .use = [](Arguments& a, const Value& v) { a.common_dynamics = v.on(); }},
+      {.name = "holdout",
+       .in = kFits,
+       .help = "fit the first half of the recording alone, and score every model on the second, too; between them the time in which the "
+               "group crosses itself is left out",
+       .allowed = on_or_off(),
+       .use = [](Arguments& a, const Value& v) { a.compare.hold_out = v.on(); }},
+      {.name = "posterior",
+       .in = kFits,
+       .help = "beside the best parameters, their posterior distribution: 95 % intervals, which parameters the recording determines at "
+               "all, and a sample of it",
+       .allowed = on_or_off(),
+       .use = [](Arguments& a, const Value& v) { a.compare.posterior = v.on(); }},
+      {.name = "obs-noise",
+       .in = kComparisons,
+       .help = "localisation error put on simulated positions: estimate (default), or a value in length units",
+       .initial = "estimate",
+       .ren2016 = "0",
+       .group = kConditions,
+       .use = [](Arguments& a, const Value& v) { set_localisation_error(a.compare.conditions, v.text()); }},
+  };
+}
+
+std::vector<Setting> scoring() {
+  return {
+      {.name = "error-limit",
+       .in = kFits,
+       .help = "of a metric with a larger share of localisation error, differences that as much error again would make do not count in "
+               "full (default 0.5)",
+       .allowed = number(0, 1),
+       .initial = "0.5",
+       .ren2016 = "1",
+       .group = kScoring,
+       .use = [](Arguments& a, const Value& v) { a.compare.error_limit = v.number(); }},
+      {.name = "resolution",
+       .in = kComparisons,
+       .help = "recording (default): differences between models below what the recording can tell do not count in full; none: they do, "
+               "as published",
+       .allowed = one_of({"recording", "none"}),
+       .initial = "recording",
+       .ren2016 = "none",
+       .group = kScoring,
+       .use = [](Arguments& a, const Value& v) { a.compare.resolution = v.text() == "recording"; }},
+      {.name = "scoring",
+       .in = kComparisons,
+       .help = "how several simulations of a model are compared with the recording: by the energy score (proper, default), or as one "
+               "pooled distribution, as published (pooled)",
+       .allowed = one_of({"proper", "pooled"}),
+       .group = kScoring,
+       .follows = [](const Values& all) -> std::string { return all.text("normalisation") == "separate" ? "pooled" : "proper"; }},
+      {.name = "calibration",
+       .in = kComparisons,
+       .help = "later passes search under the mean of all passes' weights (default), or under the last weights, as published",
+       .allowed = one_of({"mean", "last"}),
+       .initial = "mean",
+       .ren2016 = "last",
+       .group = kScoring,
+       .use = [](Arguments& a, const Value& v) { a.compare.mean_weights = v.text() == "mean"; }},
+      {.name = "lags",
+       .in = kComparisons | kEvaluate,
+       .help = "measure motion over this many frames, each lag as metrics of its own: 1,4,16; or auto (the default of comparisons), which "
+               "adds to 1 the shortest lag at which no metric of motion of a recording is past the error limit",
+       .initial = "auto",
+       .ren2016 = "1",
+       .group = kScoring,
+       .elsewhere = {kEvaluate, "1"},
+       .use = [](Arguments& a, const Value& v) { a.compare.lags = parse_lags(v.text()); }},
+      {.name = "steps",
+       .in = kComparisons,
+       .help = "simulation steps per frame: auto (default), as many per model as it takes until half the step changes no energy; fewest, "
+               "as few as are stable; or a number. Models that decide once per frame take one",
+       .initial = "auto",
+       .ren2016 = "fewest",
+       .group = kConditions,
+       .use = [](Arguments& a, const Value& v) { a.compare.conditions.steps = parse_steps(v.text()); }},
+      {.name = "smooth",
+       .in = kFits,
+       .help = "smooth recording and simulations alike, Gaussian, standard deviation in frames",
+       .allowed = number(0, kStrongestSmoothing),
+       .group = kConditions,
+       .use = [](Arguments& a, const Value& v) { a.compare.conditions.smoothing = v.number(); }},
+      {.name = "smooth",
+       .in = kConvert,
+       .help = "Gaussian smoothing, standard deviation in frames",
+       .allowed = number(0, kStrongestSmoothing),
+       .use = [](Arguments& a, const Value& v) { a.smoothing = v.number(); }},
+      {.name = "velocity",
+       .in = kFits | kEvaluate,
+       .help = "difference of positions, or the recorded velocity column",
+       .allowed = one_of({"difference", "recorded"}),
+       .initial = "difference",
+       .group = kScoring,
+       .use =
+           [](Arguments& a, const Value& v) {
+             a.compare.conditions.velocity = v.text() == "recorded" ? VelocitySource::recorded : VelocitySource::difference;
+           }},
+      {.name = "normalisation",
+       .in = kFits | kEvaluate,
+       .help = "whose mean and deviation standardise the metrics: reference (default), separate or none",
+       .allowed = one_of({"reference", "separate", "none"}),
+       .initial = "reference",
+       .ren2016 = "separate",
+       .group = kScoring,
+       .use = [](Arguments& a, const Value& v) { a.compare.binning = binning(v.text(), v.all); }},  // of bins and scoring, too
+      {.name = "bins",
+       .in = kFits | kEvaluate,
+       .help = "histogram bins, instead of the normalisation's default",
+       .allowed = whole(0, kMostBins),
+       .group = kScoring},
+  };
+}
+
+}  // namespace
+
+std::vector<Setting> comparison_settings() {
+  std::vector<Setting> all = search();
+  for (const auto& part : {conditions(), scoring()}) all.insert(all.end(), part.begin(), part.end());
+  all.push_back({.name = "set",
+                 .in = kRecover,
+                 .help = "model.parameter=value, of the planted models, in physical units",
+                 .allowed = texts(),
+                 .use = [](Arguments& a, const Value& v) { a.recovery.set = parse_planted(v.words); }});
+  all.push_back({.name = "seeds",
+                 .in = kPower,
+                 .help = "recordings made by each model, 2 or more",
+                 .allowed = whole(2, kMostRecordings),
+                 .initial = "3",
+                 .use = [](Arguments& a, const Value& v) { a.seeds = v.whole<int>(); }});
+  return all;
+}
+
+}  // namespace swarmfit::cli

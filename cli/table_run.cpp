@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Settings: how a command runs, and what it writes where.
+#include "cli/parts.h"
+#include "cli/tables.h"
+
+namespace swarmfit::cli {
+namespace {
+
+constexpr double kMostThreads = 1024;  // libgomp gives up where the system has no more
+constexpr double kLongest = 1e9;       // seconds, some thirty years
+constexpr double kMostSeeds = 18446744073709551615.0;
+
+void out(Arguments& a, const Value& v) { a.out = v.text(); }
+void html(Arguments& a, const Value& v) { a.html = v.text(); }
+
+}  // namespace
+
+std::vector<Setting> run_settings() {
+  return {
+      {.name = "seed",
+       .in = kAll & ~(kResume | kReport | kMerge),
+       .help = "seed of every random number; same seed, same bits",
+       .allowed = whole(0, kMostSeeds),
+       .initial = "1",
+       .use = [](Arguments& a, const Value& v) { a.common.seed = a.compare.seed = a.scene.seed = v.whole<std::uint64_t>(); }},
+      {.name = "threads",
+       .in = kAll & ~kReport,
+       .help = "threads to use, 0 for all cores; never changes a result",
+       .allowed = whole(0, kMostThreads),
+       .travels = false,
+       .use = [](Arguments& a, const Value& v) { a.common.threads = v.whole<int>(); }},
+      {.name = "max-time",
+       .in = kComparisons | kResume,
+       .help = "stop after this time as Ctrl-C would, so that swarmfit resume goes on: 90, 45min or 12h; no part of the result",
+       .allowed = time_up_to(kLongest),
+       .travels = false,
+       .use = [](Arguments& a, const Value& v) { a.max_time = v.number(); }},
+      {.name = "part",
+       .in = kStudies | kResume,
+       .help = "k/n: only every n-th recording of the study, from the k-th on; merge puts all n parts together",
+       .travels = false,
+       .use = [](Arguments& a, const Value& v) { a.part = parse_part(v.text()); }},
+      {.name = "json",
+       .in = kAll & ~kReport,
+       .help = "print JSON instead of text",
+       .allowed = on_or_off(),
+       .travels = false,
+       .use = [](Arguments& a, const Value& v) { a.common.json = v.on(); }},
+      {.name = "quiet",
+       .in = kAll & ~kReport,
+       .help = "no progress, no remarks",
+       .allowed = on_or_off(),
+       .letter = 'q',
+       .travels = false,
+       .use = [](Arguments& a, const Value& v) { a.common.quiet = v.on(); }},
+      {.name = "quiet",
+       .in = kReport,
+       .help = "do not list what was written",
+       .allowed = on_or_off(),
+       .letter = 'q',
+       .travels = false,
+       .use = [](Arguments& a, const Value& v) { a.common.quiet = v.on(); }},
+  };
+}
+
+std::vector<Setting> output_settings() {
+  return {
+      {.name = "out", .in = kConvert, .help = "file to write; - for standard output", .letter = 'o', .required = true, .use = out},
+      {.name = "out", .in = kSimulate, .help = "CSV file to write; - for standard output", .letter = 'o', .use = out},
+      {.name = "out",
+       .in = kFit | kCompare,
+       .help = "run directory; swarmfit-<name of the data> if not given",
+       .letter = 'o',
+       .travels = false,
+       .use = out},
+      {.name = "out", .in = kPower, .help = "run directory; swarmfit-power if not given", .letter = 'o', .travels = false, .use = out},
+      {.name = "out",
+       .in = kRecover,
+       .help = "run directory, with report.html to look at; swarmfit-recovery if not given",
+       .letter = 'o',
+       .travels = false,
+       .use = out},
+      {.name = "out", .in = kMerge, .help = "run directory of the whole", .letter = 'o', .required = true, .use = out},
+      {.name = "out",
+       .in = kReport,
+       .help = "folder to write to, where files of the same names are replaced; RUN_DIR-paper if not given",
+       .letter = 'o',
+       .use = out},
+      {.name = "format",
+       .in = kReport,
+       .help = "svg or pdf: the figures; tex or md: tables, methods and captions; csv: tables in full; html: the report; several with "
+               "commas between. pdf takes rsvg-convert (package librsvg2-bin)",
+       .allowed = some_of({"svg", "pdf", "tex", "md", "csv", "html"}),
+       .required = true,
+       .use = [](Arguments& a, const Value& v) { a.formats = v.words; }},
+      {.name = "html", .in = kDescribe, .help = "page to write, too: facts, warnings, the motion itself, distributions", .use = html},
+      {.name = "html", .in = kEvaluate, .help = "page to write, too: both in motion side by side, energies, distributions", .use = html},
+      {.name = "html", .in = kSimulate, .help = "page to write: the motion itself, parameters, distributions", .use = html},
+      {.name = "picture",
+       .in = kSimulate,
+       .help = "SVG file to write: the last frame, with the paths to it as fading tails",
+       .use = [](Arguments& a, const Value& v) { a.picture = v.text(); }},
+      {.name = "page",
+       .in = kModels,
+       .help = "its page of docs/models, as Markdown",
+       .allowed = on_or_off(),
+       .use = [](Arguments& a, const Value& v) { a.page = v.on(); }},
+      {.name = "scene",
+       .in = kModels,
+       .help = "flags of simulate for a scene that shows what it is known for",
+       .allowed = on_or_off(),
+       .use = [](Arguments& a, const Value& v) { a.flags = v.on(); }},
+      {.name = "FILE", .in = kGallery, .help = "page to write, such as gallery.html", .required = true, .use = out},
+  };
+}
+
+}  // namespace swarmfit::cli

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Settings: what simulate and recover simulate and film.
+#include "cli/parse.h"
+#include "cli/tables.h"
+
+namespace swarmfit::cli {
+namespace {
+
+constexpr double kMostFrames = 10'000'000;
+constexpr double kMostAgents = 10'000'000;     // of simulate
+constexpr double kMostAnimals = 100'000;       // of a recording that is fitted
+constexpr double kMostRecordings = 10'000;     // per model
+constexpr double kSlowest = 1e-6;              // frames per second: many steps of a model lie between two frames
+constexpr double kSmall = 1e-9, kLarge = 1e9;  // lengths and speeds, in any unit
+
+std::vector<Setting> of_both() {
+  return {
+      {.name = "fps",
+       .in = kSimulate | kRecover,
+       .help = "frames per second",
+       .allowed = above(kSlowest, kLarge),
+       .initial = "100",
+       .use =
+           [](Arguments& a, const Value& v) {
+             a.scene.fps = v.number();
+             a.recovery.film.dt = 1 / v.number();
+           }},
+      {.name = "dims",
+       .in = kSimulate | kRecover,
+       .help = "2 or 3",
+       .allowed = whole(2, 3),
+       .initial = "3",
+       .use = [](Arguments& a, const Value& v) { a.scene.dims = a.recovery.film.dims = v.whole<int>(); }},
+      {.name = "obs-noise",
+       .in = kSimulate,
+       .help = "localisation error to add to positions",
+       .allowed = number(0, kLarge),
+       .use = [](Arguments& a, const Value& v) { a.scene.noise = v.number(); }},
+      {.name = "film-noise",
+       .in = kRecover,
+       .help = "localisation error of the planted recordings [unit]",
+       .allowed = number(0, kLarge),
+       .initial = "0",
+       .use = [](Arguments& a, const Value& v) { a.recovery.film.sigma = v.number(); }},
+      {.name = "dropout",
+       .in = kSimulate | kRecover,
+       .help = "probability per individual and frame that it is lost for up to five frames",
+       .allowed = number(0, 1),
+       .initial = "0",
+       .use = [](Arguments& a, const Value& v) { a.scene.dropout = a.recovery.film.dropout = v.number(); }},
+  };
+}
+
+std::vector<Setting> of_recover() {
+  return {
+      {.name = "spread",
+       .in = kRecover,
+       .help = "planted parameters are the defaults times or by up to this factor, anew for every recording; 1: the defaults",
+       .allowed = number(1, 100),
+       .initial = "2",
+       .use = [](Arguments& a, const Value& v) { a.recovery.spread = v.number(); }},
+      {.name = "extent",
+       .in = kRecover,
+       .help = "rms radius of the planted groups [unit]",
+       .allowed = above(kSmall, kLarge),
+       .initial = "100",
+       .use = [](Arguments& a, const Value& v) { a.recovery.scales.extent = v.number(); }},
+      {.name = "spacing",
+       .in = kRecover,
+       .help = "their nearest-neighbour distance [unit]",
+       .allowed = above(kSmall, kLarge),
+       .initial = "70",
+       .use = [](Arguments& a, const Value& v) { a.recovery.scales.spacing = v.number(); }},
+      {.name = "speed",
+       .in = kRecover,
+       .help = "their mean speed [unit/s]",
+       .allowed = above(kSmall, kLarge),
+       .initial = "225",  // with the others a laboratory swarm of midges, in mm and s
+       .use = [](Arguments& a, const Value& v) { a.recovery.scales.speed = v.number(); }},
+      {.name = "unit",
+       .in = kRecover,
+       .help = "name of the length unit",
+       .initial = "mm",
+       .use = [](Arguments& a, const Value& v) { a.recovery.film.unit = v.text(); }},
+  };
+}
+
+std::vector<Setting> of_simulate() {
+  return {
+      {.name = "set",
+       .in = kSimulate,
+       .help = "parameter=value, in simulation units",
+       .allowed = texts(),
+       .use =
+           [](Arguments& a, const Value& v) {
+             parse_assignments(v.words);
+             a.scene.set = v.words;
+           }},
+      {.name = "agents",
+       .in = kSimulate,
+       .help = "number of agents",
+       .allowed = whole(1, kMostAgents),
+       .initial = "100",
+       .use = [](Arguments& a, const Value& v) { a.scene.agents = v.whole<int>(); }},
+      {.name = "frames",
+       .in = kSimulate,
+       .help = "frames to write",
+       .allowed = whole(1, kMostFrames),
+       .initial = "500",
+       .use = [](Arguments& a, const Value& v) { a.scene.frames = v.whole<std::int64_t>(); }},
+      {.name = "warm-up",
+       .in = kSimulate,
+       .help = "frames to simulate before the first one written",
+       .allowed = whole(0, kMostFrames),
+       .use = [](Arguments& a, const Value& v) { a.scene.warm_up = v.whole<std::int64_t>(); }},
+      {.name = "box",
+       .in = kSimulate,
+       .help = "side of the reflecting box about the origin; 0 for open space",
+       .allowed = number(0, kLarge),
+       .initial = "20",
+       .use = [](Arguments& a, const Value& v) { a.scene.box = v.number(); }},
+      {.name = "start-radius",
+       .in = kSimulate,
+       .help = "agents start inside this radius; a quarter of the box if not given",
+       .allowed = number(0, kLarge),
+       .use = [](Arguments& a, const Value& v) { a.scene.start_radius = v.number(); }},
+      {.name = "start-speed",
+       .in = kSimulate,
+       .help = "speed at the start",
+       .allowed = number(0, kLarge),
+       .initial = "0.3",
+       .use = [](Arguments& a, const Value& v) { a.scene.start_speed = v.number(); }},
+      {.name = "unit",
+       .in = kSimulate,
+       .help = "name of the length unit",
+       .initial = "su",
+       .use = [](Arguments& a, const Value& v) { a.scene.unit = v.text(); }},
+  };
+}
+
+}  // namespace
+
+std::vector<Setting> scene_settings() {
+  std::vector<Setting> all = {
+      {.name = "seeds",
+       .in = kRecover,
+       .help = "recordings per model",
+       .allowed = whole(1, kMostRecordings),
+       .initial = "10",
+       .use = [](Arguments& a, const Value& v) { a.recovery.seeds = v.whole<int>(); }},
+      {.name = "agents",
+       .in = kRecover,
+       .help = "individuals in a recording",
+       .allowed = whole(2, kMostAnimals),
+       .initial = "10",
+       .use = [](Arguments& a, const Value& v) { a.recovery.film.agents = v.whole<int>(); }},
+      {.name = "frames",
+       .in = kRecover,
+       .help = "frames of a recording, filmed with ten steps per frame",
+       .allowed = whole(1, kMostFrames),
+       .initial = "300",
+       .use = [](Arguments& a, const Value& v) { a.recovery.film.frames = v.whole<std::int64_t>(); }},
+  };
+  for (const auto& part : {of_both(), of_recover(), of_simulate()}) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace swarmfit::cli

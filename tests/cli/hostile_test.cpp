@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Input that nobody should give and circumstances that nobody wants: still one line and the right exit code.
+#include "cli/setting.h"
+#include "tests/cli/program.h"
+
+namespace swarmfit::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+struct Hostile : Program {
+  void one_line(const Result& r, const std::string& arguments) const {
+    EXPECT_THAT(r.err, StartsWith("swarmfit: ")) << arguments;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << arguments << ": " << r.err;
+  }
+};
+
+TEST_F(Hostile, OutputThatDoesNotArriveIsAFailure) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  write("table.csv", "model,v,a\nA,1,5\nB,2,3\n");
+  ASSERT_EQ(run("simulate boids --agents 4 --frames 20 -o film.csv").code, 0);
+  const std::string quick = " --frames 0:15 --max-evaluations 10 --replicates 1 -q ";
+  ASSERT_EQ(run("fit film.csv -m brownian -o done" + quick).code, 0);
+  for (const std::string& job :
+       {std::string("models --json"), std::string("models"), std::string("models boids --page"), std::string("formats"),
+        std::string("--help"), std::string("fit --help"), std::string("--version"), std::string("describe film.csv"),
+        std::string("convert film.csv -o -"), std::string("simulate boids --agents 4 --frames 9 -o -"),
+        std::string("evaluate film.csv film.csv"), std::string("weigh table.csv"), std::string("report done --format md"),
+        "fit film.csv -m brownian -o a" + quick, "compare film.csv -m brownian,langevin -o b" + quick,
+        "power film.csv -m brownian,langevin --seeds 2 -o c" + quick,
+        std::string("recover -m brownian,langevin --seeds 1 --agents 4 --frames 30 --max-evaluations 10 -q -o d")}) {
+    for (const std::string& to : {std::string(">/dev/full"), std::string(">&-")}) {
+      const Result r = run(job + ' ' + to);
+      EXPECT_EQ(r.code, 1) << job << to;
+      one_line(r, job + to);
+      EXPECT_THAT(r.err, HasSubstr("standard output")) << job << to;
+    }
+  }
+}
+
+// Every flag of the commands that do not simulate for long, with words that are legal for some: exit code 0 or 2, and never more than a
+// line.
+TEST_F(Hostile, NoWordEndsTheProgramOtherwise) {
+  ASSERT_EQ(run("simulate boids --agents 4 --frames 20 -o film.csv").code, 0);
+  const std::string fits = " film.csv -m brownian --max-evaluations 10 --replicates 1 --max-time 0.000001 -q";
+  const std::vector<std::pair<std::string, std::string>> jobs = {{"describe", " film.csv"},
+                                                                 {"convert", " film.csv -o out.csv"},
+                                                                 {"simulate", " boids -o out.csv"},
+                                                                 {"evaluate", " film.csv film.csv"},
+                                                                 {"fit", fits},
+                                                                 {"recover", " -m brownian,langevin --max-time 0.000001 -q"}};
+  int refused = 0;
+  for (const auto& [name, rest] : jobs) {
+    const auto command = std::find_if(cli::commands().begin(), cli::commands().end(), [&, n = name](const auto& c) { return c.name == n; });
+    for (const cli::Setting& s : cli::settings()) {
+      if ((s.in & command->bit) == 0 || cli::is_positional(s) || s.name == "help") continue;
+      const std::string flag = "--" + std::string(s.name);
+      if (rest.find(flag + ' ') != std::string::npos || s.letter != 0) continue;
+      for (const std::string word : {"", "nan", "inf", "-1", "1e300", "two\nlines", "p=nan", "nan:1", "\\"}) {
+        std::string arguments = name;
+        arguments += rest + ' ' + flag + (s.allowed.kind == cli::Allowed::Kind::flag ? "='" : " '") + word + '\'';
+        const Result r = run(arguments);
+        EXPECT_TRUE(r.code == 0 || r.code == 2 || r.code == 130) << arguments << ": " << r.code << r.err;
+        if (r.code != 2) continue;
+        one_line(r, arguments);
+        EXPECT_THAT(r.out, IsEmpty()) << arguments;
+        EXPECT_LT(r.err.size(), 600U) << r.err;
+        ++refused;
+      }
+    }
+  }
+  EXPECT_GT(refused, 300);
+}
+
+// Each once crashed, ran for minutes, or was taken as something else.
+TEST_F(Hostile, NumbersBeyondAllSenseAreRefusedAtOnce) {
+  expect_refused("describe demo --threads 100000", "--threads: '100000' is not allowed; expected a whole number from 0 to 1024");
+  expect_refused("describe demo --seed 18446744073709551616", "--seed: ");
+  expect_refused("describe demo --seed -1", "--seed: ");
+  expect_refused("describe demo --fps 1e-320", "--fps: ");
+  expect_refused("describe demo --fill-gaps 2147483647", "--fill-gaps: ");
+  expect_refused("describe demo --times nan:inf", "--times: ");
+  expect_refused("evaluate demo demo --bins 2147483647", "--bins: ");
+  expect_refused("convert demo --smooth 1e9 -o -", "--smooth: '1e9' is not allowed; expected a number from 0 to 10000");
+  expect_refused("simulate boids --dropout nan -o -", "--dropout: 'nan' is not allowed; expected a number from 0 to 1");
+  expect_refused("simulate boids --set radius=nan -o -", "--set: 'radius=nan': 'nan' is not a number");
+  expect_refused("fit demo -m boids --population 1e9", "--population: ");
+  expect_refused("fit demo -m boids --replicates 1000000000", "--replicates: ");
+  expect_refused("fit demo -m boids --set radius=inf", "--set: ");
+  expect_refused("fit demo -m boids --bounds radius=1:nan", "--bounds: ");
+  expect_refused("fit demo -m boids --bounds radius=1:1e999", "--bounds: ");
+  expect_refused("fit demo -m boids --error-limit nan", "--error-limit: ");
+  expect_refused("fit demo -m boids --max-time 1e300h", "--max-time: '1e300h' is not allowed; expected a time above 0");
+  expect_refused("recover -m boids,brownian --extent -1", "--extent: '-1' is not allowed; expected a number above 0");
+  expect_refused("compare demo -m boids,brownian --scoring foo", "--scoring: 'foo' is not known; expected proper or pooled");
+}
+
+TEST_F(Hostile, WhatTheTerminalWouldObeyIsShown) {
+  const Result r = run("describe \"$(printf 'no\\n\\033[31mfile')\"");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_THAT(r.err, AllOf(HasSubstr("no\\x0a\\x1b[31mfile"), testing::Not(HasSubstr("\033"))));
+  one_line(r, "describe");
+}
+
+// Characters that TOML writes in other ways than the shell: the run goes on, and its config.toml repeats it.
+TEST_F(Hostile, OddCharactersSurviveConfigAndResume) {
+  ASSERT_EQ(run("simulate langevin --agents 6 --frames 60 --start-radius 5 --unit mm -o film.csv").code, 0);
+  const std::string name = "q\"uo#te, [\\x] µ.csv";
+  fs::rename(dir_ / "film.csv", dir_ / name);
+  const std::string job = "compare '" + name + "' -m brownian,langevin --max-evaluations 20 --replicates 1 --budget quick -q ";
+  const Result whole = run(job + "-o whole");
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  EXPECT_EQ(run(job + "--max-time 0.001 -o timed").code, 130);
+  const Result resumed = run("resume timed -q");
+  ASSERT_EQ(resumed.code, 0) << resumed.err;
+  const Result again = run("compare --config whole/config.toml -q -o again");
+  ASSERT_EQ(again.code, 0) << again.err;
+  for (const char* other : {"timed", "again"}) EXPECT_EQ(content(dir_ / "whole/results.json"), content(dir_ / other / "results.json"));
+
+  const std::string studied = "recover -m brownian,langevin --seeds 1 --agents 6 --frames 40 --max-evaluations 10 --unit 'u\"\\#' -q ";
+  ASSERT_EQ(run(studied + "-o r").code, 0);
+  const Result repeated = run("recover --config r/config.toml -q -o s");
+  ASSERT_EQ(repeated.code, 0) << repeated.err;
+  EXPECT_EQ(content(dir_ / "r/recovery.json"), content(dir_ / "s/recovery.json"));
+}
+
+}  // namespace
+}  // namespace swarmfit::test
