@@ -42,7 +42,8 @@ int list(const char* what, const std::vector<ListEntry>& entries, const Common& 
 int describe(const Arguments& a) {
   const Tracks tracks = load(a.read, a.recordings.front(), a.kind);
   const Summary summary = summarise(tracks);
-  print(a.common.json ? to_json(tracks.meta(), summary) : describe_text(tracks.meta(), summary, style()));
+  print(a.common.json ? to_json(tracks.meta(), summary)
+                      : describe_text(tracks.meta(), summary, style()) + first_rows_text(tracks, style()));
   if (!a.html.empty()) write_file_atomically(a.html, tracks_html(portrait(tracks), tracks.meta(), summary, {a.line, kVersion, {}}));
   return 0;
 }

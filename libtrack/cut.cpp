@@ -67,7 +67,7 @@ std::uint8_t kind_named(const Tracks& tracks, const std::string& name) {
     legal.push_back(own == number ? number : fmt::format("{} ({})", own, number));
   }
   throw InputError(
-      fmt::format("--kind {}: nobody in {} is of that kind; expected one of {}", name, tracks.meta().from.path, fmt::join(legal, ", ")));
+      fmt::format("`kind` {}: nobody in {} is of that kind; expected one of {}", name, tracks.meta().from.path, fmt::join(legal, ", ")));
 }
 
 }  // namespace swarmfit

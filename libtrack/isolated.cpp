@@ -8,6 +8,8 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <fstream>
+#include <new>
 #include <string_view>
 
 #include "libtrack/error.h"
@@ -39,10 +41,27 @@ std::string receive(int fd) {
   }
 }
 
-[[noreturn]] void be_the_child(int fd, const std::function<std::string()>& work, int seconds) {
+// Data and stack of this process now [bytes]: the sixth number of /proc/self/statm, in pages. 0: not known.
+std::size_t data_size() {
+  std::ifstream in("/proc/self/statm");
+  std::size_t pages = 0;
+  for (int i = 0; i < 6; ++i) in >> pages;
+  return in ? pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) : 0;
+}
+
+void limit_memory(std::size_t more) {
+  const std::size_t now = data_size();
+  if (now == 0) return;
+  const rlimit data{static_cast<rlim_t>(now + more), static_cast<rlim_t>(now + more)};
+  ::setrlimit(RLIMIT_DATA, &data);
+}
+
+[[noreturn]] void be_the_child(int fd, const std::function<std::string()>& work, int seconds, std::size_t memory,
+                               const std::string& on_crash) {
   const rlimit time{static_cast<rlim_t>(seconds), static_cast<rlim_t>(seconds)}, no_core{0, 0};
   ::setrlimit(RLIMIT_CPU, &time);
   ::setrlimit(RLIMIT_CORE, &no_core);
+  limit_memory(memory);
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(signal, SIG_DFL);
   char kind = kDone;
   std::string answer;
@@ -51,6 +70,9 @@ std::string receive(int fd) {
   } catch (const InputError& error) {
     kind = kBadInput;
     answer = error.what();
+  } catch (const std::bad_alloc&) {
+    kind = kBadInput;
+    answer = on_crash;
   } catch (const std::exception& error) {
     kind = kFailed;
     answer = error.what();
@@ -61,7 +83,7 @@ std::string receive(int fd) {
 
 }  // namespace
 
-std::string isolated(const std::function<std::string()>& work, int seconds, const std::string& on_crash) {
+std::string isolated(const std::function<std::string()>& work, int seconds, std::size_t memory, const std::string& on_crash) {
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0) throw RunError("no pipe can be opened");
   const pid_t child = ::fork();
@@ -72,7 +94,7 @@ std::string isolated(const std::function<std::string()>& work, int seconds, cons
   }
   if (child == 0) {
     ::close(ends[0]);
-    be_the_child(ends[1], work, seconds);
+    be_the_child(ends[1], work, seconds, memory, on_crash);
   }
   ::close(ends[1]);
   std::string answer = receive(ends[0]);

@@ -52,6 +52,8 @@ class Fields {
   bool done() const { return done_; }                                 // no field is left
   long column() const { return static_cast<long>(p_ - begin_) + 1; }  // of the field about to be read, from 1
 
+  const char* rest() const { return p_; }  // the field about to be read and all that follows
+
   // Reads a plain number; false, with nothing consumed, for anything else.
   bool number(double& value) {
     const auto [after, error] = std::from_chars(p_, end_, value);
@@ -91,6 +93,7 @@ class Fields {
   }
   const char* field_end() const {
     const char* q = p_;
+    if (q == end_) return q;  // an empty text may have no address, which memchr does not take
     if (delimiter_ == ' ') {
       while (q < end_ && !is_blank(*q)) ++q;
       return q;

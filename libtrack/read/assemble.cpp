@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "libtrack/counting_sort.h"
 #include "libtrack/error.h"
 #include "libtrack/fill_gaps.h"
+#include "libtrack/read/coarse_times.h"
 #include "libtrack/read/frame_clock.h"
+#include "libtrack/read/frame_steps.h"
+#include "libtrack/read/missing.h"
+#include "libtrack/read/project.h"
 #include "libtrack/read/raw_table.h"
 
 namespace swarmfit {
@@ -37,10 +40,13 @@ class Assembly {
 
   Tracks run(std::string sha256) {
     check_columns();
+    leave_out_codes(table_, options_);
+    if (table_.degrees) project_degrees(table_);
     demand_flags();
     std::vector<std::uint32_t> seen = drop_unseen();
     order_rows(seen);
     number_frames();
+    check_individuals();
     select();
     drop_duplicates();
     TrackMeta meta = describe(std::move(sha256));
@@ -82,7 +88,8 @@ class Assembly {
     if (!rate && !unit) fail("neither frame rate nor length unit is in the file; expected both, for example `fps` 25 `unit` m");
     if (!rate) fail("the frame rate is not in the file; expected `fps`, for example `fps` 25");
     if (!unit) fail("the length unit is not in the file; expected `unit`, for example `unit` mm");
-    if (!options_.unit.empty() && !table_.unit.empty() && options_.unit != table_.unit)
+    const auto same = [](const std::string& a, const std::string& b) { return length_unit(a).value_or(a) == length_unit(b).value_or(b); };
+    if (!options_.unit.empty() && !table_.unit.empty() && !same(options_.unit, table_.unit))
       fail(fmt::format("the file states the unit {} but `unit` says {}; expected the same or none given", table_.unit, options_.unit));
     if (options_.fps && !(*options_.fps > 0 && std::isfinite(*options_.fps)))
       throw InputError(fmt::format("`fps`: {} is no frame rate; expected a number above 0", *options_.fps));
@@ -166,15 +173,12 @@ class Assembly {
     const double stated = table_.dt > 0 ? table_.dt : options_.fps ? 1 / *options_.fps : 0;
     if (!has(FileColumn::t)) return use_frames(stated, table_.t0);
     const auto time = ordered(FileColumn::t);
+    if (has(FileColumn::frame) && stated > 0 && times_are_rounded(time, stated)) return use_frames(stated, table_.t0);
     FrameClock clock = has(FileColumn::frame) ? fit_known_frames(time, ordered(FileColumn::frame)) : fit_frame_clock(time, first_);
-    if (clock.dt == 0 && stated > 0) {  // one single moment: the file cannot contradict
-      for (const double t : time) frame_.push_back(std::llround((t - table_.t0) / stated));
-      dt_ = stated;
-      t0_ = table_.dt > 0 ? table_.t0 : time[0] - static_cast<double>(frame_[0]) * stated;
-      return;
-    }
-    if (clock.dt == 0) fail(clock.problem + "; expected `fps`, for example `fps` 25");
-    if (!clock.problem.empty()) fail(clock.problem + "; expected time stamps at a constant frame interval");
+    if (!has(FileColumn::frame)) look_behind_rounding(clock, time, stated);
+    if (clock.dt == 0 && stated > 0) return use_rate(time, clock, stated);
+    if (clock.dt == 0 && !(time.front() < time.back())) fail(clock.problem + "; expected `fps`, for example `fps` 25");
+    if (!clock.problem.empty()) fail(clock.problem + "; expected time stamps at a constant interval (`fps` puts them on one)");
     check_rate(1 / clock.dt, "the time stamps say");
     if (table_.dt > 0 && std::abs(table_.dt / clock.dt - 1) > 0.01)
       fail(fmt::format("the time stamps say {:.6g} s per frame but the file states {:.6g} s; expected the same within 1 %", clock.dt,
@@ -186,6 +190,50 @@ class Assembly {
     dt_ = clock.dt;
     t0_ = clock.t0;
     frame_ = std::move(clock.frame);
+  }
+
+  // Times without an interval of their own: one single moment, or irregular ones.
+  void use_rate(const std::vector<double>& time, const FrameClock& clock, double stated) {
+    double worst = 0;
+    for (const double t : time) {
+      frame_.push_back(std::llround((t - table_.t0) / stated));
+      worst = std::max(worst, std::abs(t - table_.t0 - static_cast<double>(frame_.back()) * stated));
+    }
+    dt_ = stated;
+    const bool moment = *std::min_element(time.begin(), time.end()) == *std::max_element(time.begin(), time.end());
+    t0_ = table_.dt > 0 ? table_.t0 : moment ? time[0] - static_cast<double>(frame_[0]) * stated : 0;
+    if (!moment)
+      note(fmt::format("{}; rows were put on the nearest frame of {:.6g} s, by up to {:.3g} s away", clock.problem, stated, worst));
+  }
+
+  // Whole seconds beside frame numbers at 25 Hz say nothing that the frames do not.
+  bool times_are_rounded(const std::vector<double>& time, double dt) {
+    const double step = written_step(time);
+    if (!(step > dt) || !only_rounded(time, ordered(FileColumn::frame), dt, step)) return false;
+    note(fmt::format("times are written in steps of {:.6g} s, more coarsely than frames follow each other: the frame numbers count", step));
+    return true;
+  }
+
+  // Times with two decimals of a camera at 60 Hz are no clock of 100 Hz with gaps.
+  void look_behind_rounding(FrameClock& clock, const std::vector<double>& time, double stated) const {
+    const double step = written_step(time);
+    if (clock.dt == 0 || step == 0) return;
+    if (clock.problem.empty() && !ticks_like_rounding(clock, first_, step)) return;
+    auto better = stated > 0 ? clock_behind_rounding(time, first_, step, stated) : clock_behind_rounding(time, step);
+    if (better) {
+      clock = std::move(*better);
+    } else if (clock.problem.empty() && !(stated > 0)) {
+      fail(fmt::format("times are written in steps of {:.6g} s, too coarsely to tell the frame interval; expected `fps`", step));
+    }
+  }
+
+  // An id that is new in every row numbers rows.
+  void check_individuals() {
+    const auto [low, high] = std::minmax_element(frame_.begin(), frame_.end());
+    if (names_.size() < 3 || names_.size() < order_.size() || *low == *high) return;
+    if (options_.columns.empty())
+      fail("the id is new in every row, so it numbers rows and not individuals; expected `columns` to name the individual (id=NAME,...)");
+    note("the id is new in every row: nobody is seen twice");
   }
 
   void use_frames(double dt, double t0) {
@@ -329,24 +377,6 @@ class Assembly {
     const double value = table_[FileColumn::kind][row];
     if (value >= 0 && value <= 255 && value == std::floor(value)) return static_cast<std::uint8_t>(value);
     throw InputError(fmt::format("{}: kind {} is not allowed; expected an integer from 0 to 255", table_.place(row), value));
-  }
-
-  // Frame numbers 0, 10, 20, ... mean that one step of the recording is ten frames.
-  static void merge_steps(TrackColumns& columns, TrackMeta& meta) {
-    const auto [low, high] = std::minmax_element(columns.frame.begin(), columns.frame.end());
-    const std::int64_t first = *low;
-    std::int64_t step = 0;
-    for (const auto f : columns.frame) {
-      step = std::gcd(step, f - first);
-      if (step == 1) return;
-    }
-    if (step == 0 || *high - first < 3 * step || !columns.episodes.empty()) return;
-    const std::int64_t offset = ((first % step) + step) % step;
-    for (auto& f : columns.frame) f = (f - offset) / step;
-    meta.t0 += static_cast<double>(offset) * meta.dt;
-    meta.dt *= static_cast<double>(step);
-    meta.from.notes.push_back(
-        fmt::format("frame numbers advance in steps of {0}: they were divided by {0}, one step being {1:.6g} s", step, meta.dt));
   }
 
   RawTable& table_;

@@ -72,6 +72,9 @@ constexpr std::array kAliases = {
     Name{"seconds", FileColumn::t},
     Name{"sec", FileColumn::t},
     Name{"position_t", FileColumn::t},
+    Name{"ms", FileColumn::t},
+    Name{"msec", FileColumn::t},
+    Name{"milliseconds", FileColumn::t},
     Name{"date", FileColumn::date},
     Name{"pos_x", FileColumn::x},
     Name{"pos_y", FileColumn::y},
@@ -88,6 +91,8 @@ constexpr std::array kAliases = {
     Name{"position_x", FileColumn::x},
     Name{"position_y", FileColumn::y},
     Name{"position_z", FileColumn::z},
+    Name{"x#wcentroid", FileColumn::x},
+    Name{"y#wcentroid", FileColumn::y},
     Name{"easting", FileColumn::x},
     Name{"northing", FileColumn::y},
     Name{"utm_easting", FileColumn::x},
@@ -114,7 +119,7 @@ constexpr std::array kAliases = {
     Name{"acceleration_z", FileColumn::az},
 };
 
-// Geographic coordinates are recognised only to be refused with advice.
+// Geographic coordinates; they are projected to metres.
 constexpr std::array kDegrees = {
     Name{"lon", FileColumn::x},           Name{"long", FileColumn::x},          Name{"lng", FileColumn::x},
     Name{"longitude", FileColumn::x},     Name{"gps_lon", FileColumn::x},       Name{"gps_long", FileColumn::x},
@@ -138,28 +143,6 @@ std::string_view trimmed(std::string_view text) {
 std::string lower(std::string_view text) {
   std::string out(text);
   for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
-
-struct HeaderName {
-  std::string name;  // lower case, separators as '_', without the unit
-  std::string unit;
-};
-
-// "Pos X [mm]" → {"pos_x", "mm"}; units stand in brackets or behind a slash.
-HeaderName normalised(std::string_view text) {
-  text = trimmed(text);
-  HeaderName out;
-  const auto cut = text.find_first_of("[(/");
-  if (cut != std::string_view::npos && cut > 0) {
-    auto unit = text.substr(cut + 1);
-    if (text[cut] != '/') unit = unit.substr(0, unit.find_first_of("])"));
-    out.unit = trimmed(unit);
-    text = trimmed(text.substr(0, cut));
-  }
-  out.name = lower(text);
-  for (char& c : out.name)
-    if (c == ' ' || c == '-' || c == '.' || c == ':') c = '_';
   return out;
 }
 
@@ -199,29 +182,25 @@ void check_user_map(const ColumnMap& map) {
     if (!map.has(c)) throw InputError(fmt::format("`columns`: '{}' is missing; expected at least x and y", name_of(c)));
 }
 
-std::string by_name(const ColumnMap& map, const std::vector<std::string>& names) {
-  std::string out;
-  for (std::size_t i = 0; i < map.of.size(); ++i)
-    if (map.of[i] != FileColumn::skip && map.of[i] != FileColumn::date)
-      out += fmt::format("{}{}={}", out.empty() ? "" : ",", name_of(map.of[i]), trimmed(names[i]));
-  return out;
-}
-
-bool is_length_unit(std::string_view unit) {
-  constexpr std::array units = {"nm", "um", "µm", "μm", "mm", "cm", "dm", "m", "km", "in", "inch", "ft", "px", "pixel", "pixels", "bl"};
-  return std::find(units.begin(), units.end(), unit) != units.end();
-}
-
-// Units in the header, and whether positions are degrees. Times must be in seconds.
-void look_at_units(ColumnMap& map, const std::vector<std::string>& names) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto header = normalised(names[i]);
-    const FileColumn column = map.of[i];
+// Units in the header, and whether positions are degrees.
+void look_at_units(ColumnMap& map, const std::vector<std::string>& names, const std::string& place) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < std::min(names.size(), map.of.size()); ++i) {
+    const auto header = column_name(names[i]);
+    auto& column = map.of[i];
     if (column == FileColumn::x || column == FileColumn::y || column == FileColumn::z) {
       if (find(kDegrees, header.name)) map.degrees = true;
-      if (map.unit.empty() && is_length_unit(header.unit)) map.unit = header.unit;
-    } else if (column == FileColumn::t && (header.unit == "ms" || header.unit == "min" || header.unit == "h" || header.unit == "us")) {
-      throw InputError(fmt::format("the time column '{}' is in {}; expected seconds", names[i], header.unit));
+      const auto unit = length_unit(header.unit);
+      if (!unit) continue;
+      if (!map.unit.empty() && map.unit != *unit)
+        throw InputError(fmt::format("{}: '{}' is in {} but '{}' in {}; expected one length unit for all coordinates", place,
+                                     trimmed(names[first]), map.unit, trimmed(names[i]), *unit));
+      if (map.unit.empty()) first = i;
+      map.unit = *unit;
+    } else if (column == FileColumn::t) {
+      if (lower(header.unit).starts_with("frame")) column = FileColumn::frame;
+      const std::string_view unit = header.unit.empty() ? std::string_view(header.name) : std::string_view(header.unit);
+      map.time = time_unit(unit).value_or(TimeUnit{});
     }
   }
 }
@@ -246,12 +225,23 @@ ColumnMap map_by_name(const std::vector<std::string_view>& entries, const std::v
     column = parse_name(trimmed(entry.substr(0, cut)));
   }
   check_user_map(map);
-  look_at_units(map, names);
+  look_at_units(map, names, "`columns`");
   map.spec = by_name(map, names);
   return map;
 }
 
+// Whether two columns may both claim to be this one: the rows settle who is the individual.
+bool settled_by_rows(FileColumn column) { return column == FileColumn::id; }
+
 }  // namespace
+
+std::string by_name(const ColumnMap& map, const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < map.of.size(); ++i)
+    if (map.of[i] != FileColumn::skip && map.of[i] != FileColumn::date)
+      out += fmt::format("{}{}={}", out.empty() ? "" : ",", name_of(map.of[i]), trimmed(names[i]));
+  return out;
+}
 
 bool ColumnMap::has(FileColumn c) const { return std::find(of.begin(), of.end(), c) != of.end(); }
 
@@ -277,7 +267,7 @@ ColumnMap map_columns(std::string_view spec, const std::vector<std::string>& nam
   if (map.of.size() != count)
     throw InputError(
         fmt::format("`columns`: {} columns are listed but the file has {}; expected one name per column, _ to skip", map.of.size(), count));
-  if (!names.empty()) look_at_units(map, names);
+  look_at_units(map, names, "`columns`");
   map.spec = positional(map);
   return map;
 }
@@ -287,8 +277,10 @@ ColumnMap map_header(const std::vector<std::string>& names, const std::string& p
   const auto claim = [&](const auto& table, bool exact) {
     const ColumnMap before = map;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto column = find(table, normalised(names[i]).name);
-      if (!column || map.of[i] != FileColumn::skip || before.has(*column)) continue;
+      const auto column = find(table, column_name(names[i]).name);
+      if (!column || map.of[i] != FileColumn::skip) continue;
+      if (settled_by_rows(*column)) map.id_claims.push_back(i);
+      if (before.has(*column) || (settled_by_rows(*column) && map.has(*column))) continue;
       if (map.has(*column)) {
         const auto other = static_cast<std::size_t>(std::find(map.of.begin(), map.of.end(), *column) - map.of.begin());
         throw InputError(fmt::format("{}: both '{}' and '{}' could be {}; expected `columns` to say which{}", place, names[other], names[i],
@@ -300,7 +292,8 @@ ColumnMap map_header(const std::vector<std::string>& names, const std::string& p
   claim(kNames, true);
   claim(kAliases, false);
   claim(kDegrees, false);
-  look_at_units(map, names);
+  if (map.id_claims.size() < 2) map.id_claims.clear();
+  look_at_units(map, names, place);
   map.spec = by_name(map, names);
   return map;
 }

@@ -8,12 +8,13 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 
 #include "libtrack/error.h"
 #include "libtrack/isolated.h"
+#include "libtrack/read/hdf5_file.h"
 #include "libtrack/read/mat_check.h"
+#include "libtrack/read/packed.h"
 
 namespace swarmfit {
 namespace {
@@ -44,10 +45,15 @@ bool is_number_class(matio_classes c) {
   }
 }
 
-MatVariable described(const matvar_t& v) {
+MatVariable described(matvar_t& v) {
   MatVariable out;
   out.name = v.name ? v.name : "";
   for (int i = 0; i < v.rank && v.dims; ++i) out.dims.push_back(v.dims[i]);
+  out.cells = v.class_type == MAT_C_CELL;
+  if (v.class_type == MAT_C_STRUCT) {
+    const auto* names = Mat_VarGetStructFieldnames(&v);
+    for (unsigned i = 0; names && i < Mat_VarGetNumberOfFields(&v); ++i) out.fields.emplace_back(names[i] ? names[i] : "");
+  }
   out.numeric = is_number_class(v.class_type) && !v.isComplex && v.rank >= 2 && v.rank <= 3;
   return out;
 }
@@ -146,46 +152,23 @@ MatArray read_variable(mat_t* mat, const MatVariable& variable, const std::strin
   return out;
 }
 
-// The way of a MatFile out of the child process: sizes and contents, one after the other.
-class Packer {
- public:
-  void add(std::size_t n) { bytes.append(reinterpret_cast<const char*>(&n), sizeof n); }
-  void add(const std::string& text) {
-    add(text.size());
-    bytes += text;
+// All fields of all elements that are real arrays of numbers. The library reads a structure as a whole; the child's memory is limited.
+void read_structure(mat_t* mat, const MatVariable& variable, const std::string& file, std::map<std::string, MatArray>& out) {
+  const Variable data(Mat_VarRead(mat, variable.name.c_str()));
+  if (!data || data->class_type != MAT_C_STRUCT)
+    throw InputError(fmt::format("{}: structure '{}' cannot be read; expected an undamaged file", file, variable.name));
+  std::size_t count = 1;
+  for (const auto d : variable.dims) count *= d;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const auto& name : variable.fields) {
+      matvar_t* field = Mat_VarGetStructFieldByName(data.get(), name.c_str(), i);
+      if (!field || !field->data || !described(*field).numeric || field->data_size <= 0) continue;
+      MatArray array{described(*field).dims, std::vector<double>(field->nbytes / static_cast<std::size_t>(field->data_size))};
+      convert(*field, array.value);
+      out.emplace(fmt::format("{}({}).{}", variable.name, i + 1, name), std::move(array));
+    }
   }
-  template <class T>
-  void add(const std::vector<T>& values) {
-    add(values.size());
-    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-  }
-  std::string bytes;
-};
-
-// Trusts its input, which our own child process has packed.
-class Unpacker {
- public:
-  explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
-  std::size_t size() { return values<std::size_t>(1)[0]; }
-  std::string text() {
-    const auto letters = values<char>(size());
-    return {letters.begin(), letters.end()};
-  }
-  template <class T>
-  std::vector<T> list() {
-    return values<T>(size());
-  }
-
- private:
-  template <class T>
-  std::vector<T> values(std::size_t n) {
-    std::vector<T> out(n);
-    std::memcpy(out.data(), bytes_.data(), n * sizeof(T));
-    bytes_.remove_prefix(n * sizeof(T));
-    return out;
-  }
-  std::string_view bytes_;
-};
+}
 
 std::string pack(const MatFile& file) {
   Packer out;
@@ -194,6 +177,8 @@ std::string pack(const MatFile& file) {
     out.add(v.name);
     out.add(v.dims);
     out.add(static_cast<std::size_t>(v.numeric));
+    out.add(static_cast<std::size_t>(v.cells));
+    out.add(v.fields);
   }
   out.add(file.array.size());
   for (const auto& [name, array] : file.array) {
@@ -212,6 +197,8 @@ MatFile unpack(std::string_view bytes) {
     v.name = in.text();
     v.dims = in.list<std::size_t>();
     v.numeric = in.size() != 0;
+    v.cells = in.size() != 0;
+    v.fields = in.texts();
     file.variables.push_back(std::move(v));
   }
   for (auto n = in.size(); n > 0; --n) {
@@ -236,6 +223,7 @@ MatFile read_mat_file(const std::string& name, std::string_view bytes,
   if (bytes.starts_with("MATLAB 5.0")) check_mat5(name, bytes);
   const auto damaged = name + ": the MATLAB file cannot be read; expected an undamaged file of version 5 or 7.3";
   const auto work = [&] {
+    if (!bytes.starts_with("MATLAB 5.0")) check_hdf5_stands_alone(name, bytes);
     const OpenMat mat(bytes);
     if (!mat.get()) throw InputError(damaged);
     MatFile file;
@@ -243,12 +231,15 @@ MatFile read_mat_file(const std::string& name, std::string_view bytes,
     if (file.variables.empty()) throw InputError(damaged);
     for (const auto& chosen : choose(file.variables)) {
       const auto* variable = find(file.variables, chosen);
-      file.array[chosen] = read_variable(mat.get(), *variable, name, bytes.size());
+      if (variable->fields.empty())
+        file.array[chosen] = read_variable(mat.get(), *variable, name, bytes.size());
+      else
+        read_structure(mat.get(), *variable, name, file.array);
     }
     return pack(file);
   };
   const int seconds = 60 + static_cast<int>(bytes.size() / 1'000'000);  // a generous allowance: only endless loops need more
-  return unpack(isolated(work, seconds, damaged));
+  return unpack(isolated(work, seconds, child_memory(bytes.size()), damaged));
 }
 
 }  // namespace swarmfit

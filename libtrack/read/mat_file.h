@@ -20,8 +20,10 @@ struct MatArray {
 struct MatVariable {
   std::string name;
   std::vector<std::size_t> dims;
-  bool numeric = false;       // a real, dense array of numbers with two or three dimensions
-  std::string shown() const;  // "name (100 x 12)"
+  bool numeric = false;  // a real, dense array of numbers with two or three dimensions
+  bool cells = false;
+  std::vector<std::string> fields{};  // of a structure
+  std::string shown() const;          // "name (100 x 12)"
 };
 
 using MatVariables = std::vector<MatVariable>;
@@ -31,7 +33,7 @@ const MatVariable* find(const MatVariables& variables, std::string_view name);
 
 struct MatFile {
   MatVariables variables;                 // all of the file
-  std::map<std::string, MatArray> array;  // those that were asked for
+  std::map<std::string, MatArray> array;  // those that were asked for; of structures "trx(2).x", elements counted from 1
 };
 
 // Reads the variables whose names choose(all variables) returns. The work is done in a child process, because matio and HDF5 can crash

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "libtrack/error.h"
 
 namespace swarmfit {
 namespace {
@@ -54,7 +57,36 @@ std::uint32_t TrackNames::number(std::uint32_t integer) {
 }
 
 std::string RawTable::place(std::size_t row) const {
-  return line.empty() ? fmt::format("{}: {} {}", file, row_name, row + 1) : fmt::format("{}:{}", file, line[row]);
+  const auto after = std::upper_bound(parts.begin(), parts.end(), row, [](std::size_t r, const Part& part) { return r < part.first; });
+  const auto& in = after == parts.begin() ? file : after[-1].file;
+  if (!line.empty()) return fmt::format("{}:{}", in, line[row]);
+  return fmt::format("{}: {} {}", in, row_name, row + 1 - (after == parts.begin() ? 0 : after[-1].first));
+}
+
+void add_ids(RawTable& table, std::span<const double> ids) {
+  table.track.reserve(table.track.size() + ids.size());
+  for (const double id : ids) {
+    if (std::isnan(id))
+      table.track.push_back(RawTable::no_track);
+    else if (id >= 0 && id < 1e9 && id == std::floor(id))
+      table.track.push_back(table.names.number(static_cast<std::uint32_t>(id)));
+    else
+      table.track.push_back(table.names.number(fmt::format("{}", id)));
+  }
+}
+
+void check_numbers(const RawTable& table) {
+  for (std::size_t c = 0; c < kNumberColumns; ++c) {
+    const auto column = static_cast<FileColumn>(c);
+    for (std::size_t i = 0; i < table.number[c].size(); ++i) {
+      const double value = table.number[c][i];
+      if (std::isinf(value)) throw InputError(table.place(i) + ": the value is infinite; expected a finite number");
+      if (column == FileColumn::t && std::isnan(value))
+        throw InputError(table.place(i) + ": the time is missing; expected a time in every row");
+      if (column == FileColumn::frame && !(value == std::floor(value) && std::abs(value) < 9e15))
+        throw InputError(fmt::format("{}: the frame number {} is not an integer; expected whole frames", table.place(i), value));
+    }
+  }
 }
 
 }  // namespace swarmfit

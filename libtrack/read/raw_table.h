@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -35,22 +36,35 @@ struct RawTable {
   std::vector<std::uint32_t> track;
   std::array<std::vector<double>, kNumberColumns> number;  // by FileColumn; empty when the file has none; position NaN: not seen
   std::vector<std::uint32_t> line;                         // source line of every row; empty: rows have no lines
-  std::string row_name = "row";                            // what to call a row without a line
+  struct Part {
+    std::string file;
+    std::size_t first;  // row
+  };
+  std::vector<Part> parts;       // of several joined files; empty: one file
+  std::string row_name = "row";  // what to call a row without a line
   std::vector<std::int64_t> episodes;
   std::vector<std::string> kinds;  // names of kinds 0, 1, ...
 
-  double dt = 0;     // frame interval stated in the file [s]; 0: none
-  double t0 = 0;     // time of frame 0, when dt is stated
-  std::string unit;  // stated in the file; empty: none
+  double dt = 0;         // frame interval stated in the file [s]; 0: none
+  double t0 = 0;         // time of frame 0, when dt is stated
+  std::string unit;      // stated in the file; empty: none
+  bool degrees = false;  // x and y are longitude and latitude
   std::string columns, format;
   std::vector<std::string> notes;
   bool synthetic = false;
+  bool has_nodes = false, has_confidence = false;  // the file names points, says how sure they are: --node, --min-confidence apply
 
   std::vector<double>& operator[](FileColumn c) { return number[static_cast<std::size_t>(c)]; }
   const std::vector<double>& operator[](FileColumn c) const { return number[static_cast<std::size_t>(c)]; }
   bool has(FileColumn c) const { return !(*this)[c].empty(); }
   std::string place(std::size_t row) const;  // "file:line", or "file: row 17"
 };
+
+// Appends a row's individual for each id. NaN: nobody.
+void add_ids(RawTable& table, std::span<const double> ids);
+
+// Throws InputError at the row of a number that no later step can use: an infinite value, a missing time, a frame number that is not whole.
+void check_numbers(const RawTable& table);
 
 // Turns raw rows into Tracks: frame numbers and frame interval, unit, selection, duplicates, gaps. Throws InputError.
 Tracks assemble(RawTable table, const ReadOptions& options, std::string sha256);

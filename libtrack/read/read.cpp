@@ -8,19 +8,30 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "libtrack/error.h"
 #include "libtrack/file.h"
 #include "libtrack/read/formats.h"
+#include "libtrack/read/join.h"
+#include "libtrack/read/plain_text.h"
+#include "libtrack/read/unpack.h"
 
 namespace swarmfit {
 namespace {
 
-// Every format has one line here. The first that recognises the content reads it; plain text comes last, because it takes any text.
+struct Entry {
+  const Reader* reader;
+  bool text;
+};
+
+// The first that recognises the content reads it.
 const std::array kReaders = {
-    &kMatlab,
-    &kPeTrack,
-    &kDelimitedText,
+#define READER(name) Entry{&(name), false},
+#define TEXT_READER(name) Entry{&(name), true},
+#include "libtrack/read/readers.def"
+#undef TEXT_READER
+#undef READER
 };
 
 std::string format_names() {
@@ -41,16 +52,47 @@ bool has_usual_ending(const Source& source, std::string_view endings) {
 // By --format, else by content, else by the ending of the name.
 const Reader& choose(const Source& source, const ReadOptions& options) {
   if (!options.format.empty()) {
-    for (const Reader* reader : kReaders)
+    for (const auto& [reader, text] : kReaders)
       if (reader->format.name == options.format) return *reader;
     throw InputError(fmt::format("`format`: '{}' is not known; expected one of {}", options.format, format_names()));
   }
-  refuse_non_recordings(source);
-  for (const Reader* reader : kReaders)
+  bool refused = false;
+  for (const auto& [reader, text] : kReaders) {
+    if (text && !std::exchange(refused, true)) refuse_non_recordings(source);
     if (reader->recognises(source, options)) return *reader;
-  for (const Reader* reader : kReaders)
+  }
+  for (const auto& [reader, text] : kReaders)
     if (has_usual_ending(source, reader->format.endings)) return *reader;
   throw InputError(fmt::format("{}: the format is not known; expected one of {}", source.name, format_names()));
+}
+
+// A flag about the points of a posture must have had something to choose from.
+void check_point_flags(const RawTable& table, const Reader& reader, const ReadOptions& options) {
+  if (!options.node.empty() && !table.has_nodes)
+    throw InputError(
+        fmt::format("`node` {}: {} ({}) has no named points; expected none given", options.node, table.file, reader.format.name));
+  if (options.min_confidence && !table.has_confidence)
+    throw InputError(fmt::format("`min-confidence`: {} ({}) has no confidences; expected none given", table.file, reader.format.name));
+}
+
+void check(const ReadOptions& options) {
+  if (options.fill_gaps < 0) throw InputError(fmt::format("`fill-gaps`: {} is negative; expected a number of frames", options.fill_gaps));
+  if (options.min_confidence && !(*options.min_confidence >= 0 && *options.min_confidence <= 1))
+    throw InputError(fmt::format("`min-confidence`: {} is no confidence; expected a number from 0 to 1", *options.min_confidence));
+}
+
+// Recordings can be large: the text goes before anything is built of the table.
+RawTable read_table(const std::string& name, std::string bytes, const ReadOptions& options) {
+  if (bytes.empty()) throw InputError(name + ": the file is empty; expected a recording");
+  std::vector<std::string> notes;
+  bytes = plain_bytes(unpacked(name, std::move(bytes), options.variable, notes));
+  const Source source{name, bytes};
+  const Reader& reader = choose(source, options);
+  auto table = reader.read(source, options);
+  table.format = reader.format.name;
+  check_point_flags(table, reader, options);
+  table.notes.insert(table.notes.begin(), notes.begin(), notes.end());
+  return table;
 }
 
 double parse_end(std::string_view setting, std::string_view whole, std::string_view text, double open) {
@@ -69,6 +111,11 @@ bool Source::ends_with(std::string_view ending) const {
          });
 }
 
+const Hdf5Contents* Source::hdf5() const {
+  if (!contents && bytes.starts_with("\x89HDF\r\n\x1a\n")) contents = std::make_shared<const Hdf5Contents>(list_hdf5(name, bytes));
+  return contents.get();
+}
+
 Interval parse_interval(std::string_view setting, std::string_view text) {
   const auto cut = text.find(':');
   if (cut == std::string_view::npos || text.size() == 1)
@@ -80,22 +127,30 @@ Interval parse_interval(std::string_view setting, std::string_view text) {
   return out;
 }
 
-Tracks read_tracks(const std::string& path, const ReadOptions& options) { return read_tracks_bytes(path, read_file(path), options); }
+Tracks read_tracks(const std::string& path, const ReadOptions& options) {
+  if (!options.join) return read_tracks_bytes(path, read_file(path), options);
+  check(options);
+  std::vector<RawTable> tables;
+  std::string digests;
+  for (const auto& file : files_to_join(path)) {
+    std::string bytes = read_file(file);
+    digests += sha256_hex(bytes);
+    tables.push_back(read_table(file, std::move(bytes), options));
+  }
+  return assemble(joined(path, std::move(tables)), options, sha256_hex(digests));
+}
 
 Tracks read_tracks_bytes(const std::string& name, std::string bytes, const ReadOptions& options) {
-  if (options.fill_gaps < 0) throw InputError(fmt::format("`fill-gaps`: {} is negative; expected a number of frames", options.fill_gaps));
-  if (bytes.empty()) throw InputError(name + ": the file is empty; expected a recording");
-  const Source source{name, bytes};
-  auto table = choose(source, options).read(source, options);
+  check(options);
+  if (options.join) throw InputError(name + ": `join` takes files; expected a folder, or a pattern such as 'fish*.csv'");
   auto sha256 = sha256_hex(bytes);
-  bytes = std::string();  // recordings can be large: the text goes before the table is built
-  return assemble(std::move(table), options, std::move(sha256));
+  return assemble(read_table(name, std::move(bytes), options), options, std::move(sha256));
 }
 
 std::span<const Format> formats() {
   static const auto list = [] {
     std::array<Format, kReaders.size()> out;
-    std::transform(kReaders.begin(), kReaders.end(), out.begin(), [](const Reader* r) { return r->format; });
+    std::transform(kReaders.begin(), kReaders.end(), out.begin(), [](const Entry& e) { return e.reader->format; });
     return out;
   }();
   return list;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// MATLAB .mat files: a two-dimensional table of rows, or the herding drives of Jadhav et al. 2024.
+// MATLAB .mat files: a two-dimensional table of rows, the herding drives of Jadhav et al. 2024, or trx of fly trackers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include "libtrack/read/formats.h"
 #include "libtrack/read/mat_drives.h"
 #include "libtrack/read/mat_file.h"
+#include "libtrack/read/mat_trx.h"
 
 namespace swarmfit {
 namespace {
@@ -37,6 +38,10 @@ const MatVariable& choose_table(const MatVariables& variables, const std::string
   }
   for (const auto* usual : {"tracks_filt", "tracks"})
     if (const auto* v = find(variables, usual); v && is_table(*v)) return *v;
+  const auto cells = std::find_if(variables.begin(), variables.end(), [](const auto& v) { return v.cells; });
+  if (cells != variables.end() && options.columns.empty())
+    throw InputError(fmt::format("{}: {} are cells, which is how detections without identities come; expected tracks, a table with ids",
+                                 file, cells->shown()));
   const auto tables = std::count_if(variables.begin(), variables.end(), is_table);
   if (tables == 1) return *std::find_if(variables.begin(), variables.end(), is_table);
   throw InputError(fmt::format("{}: {} among its variables {}; expected `var` NAME", file,
@@ -56,29 +61,6 @@ ColumnMap find_map(const MatVariable& variable, const MatArray& table, const Sou
                   source.name, count, variable.name, row));
 }
 
-void add_ids(RawTable& table, const double* value, std::size_t rows) {
-  for (std::size_t i = 0; i < rows; ++i) {
-    const double id = value[i];
-    if (std::isnan(id))
-      table.track.push_back(RawTable::no_track);
-    else if (id >= 0 && id < 1e9 && id == std::floor(id))
-      table.track.push_back(table.names.number(static_cast<std::uint32_t>(id)));
-    else
-      table.track.push_back(table.names.number(fmt::format("{}", id)));
-  }
-}
-
-// A number that no later step can use is refused where its row is known.
-void check_column(const RawTable& table, FileColumn column, const std::vector<double>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isinf(values[i])) throw InputError(table.place(i) + ": the value is infinite; expected a finite number");
-    if (column == FileColumn::t && std::isnan(values[i]))
-      throw InputError(table.place(i) + ": the time is missing; expected a time in every row");
-    if (column == FileColumn::frame && !(values[i] == std::floor(values[i]) && std::abs(values[i]) < 9e15))
-      throw InputError(fmt::format("{}: the frame number {} is not an integer; expected whole frames", table.place(i), values[i]));
-  }
-}
-
 RawTable read_table(const MatFile& mat, const Source& source, const ReadOptions& options) {
   const auto& variable = choose_table(mat.variables, source.name, options);
   const auto& array = mat.array.at(variable.name);
@@ -96,26 +78,31 @@ RawTable read_table(const MatFile& mat, const Source& source, const ReadOptions&
   }
   for (std::size_t c = 0; c < map.of.size(); ++c) {
     const double* values = array.value.data() + c * rows;
-    if (map.of[c] == FileColumn::id) add_ids(table, values, rows);
+    if (map.of[c] == FileColumn::id) add_ids(table, {values, rows});
     if (static_cast<std::size_t>(map.of[c]) >= kNumberColumns) continue;
     table[map.of[c]].assign(values, values + rows);
-    check_column(table, map.of[c], table[map.of[c]]);
   }
+  check_numbers(table);
   return table;
 }
 
 RawTable read(const Source& source, const ReadOptions& options) {
   const auto drives = [&](const MatVariables& variables) { return options.variable.empty() && has_drives(variables); };
+  const auto trx = [&](const MatVariables& variables) { return options.variable.empty() && has_trx(variables); };
   const MatFile mat = read_mat_file(source.name, source.bytes, [&](const MatVariables& variables) {
-    return drives(variables) ? drive_variables(variables) : std::vector{choose_table(variables, source.name, options).name};
+    if (drives(variables)) return drive_variables(variables);
+    if (trx(variables)) return std::vector<std::string>{"trx"};
+    return std::vector{choose_table(variables, source.name, options).name};
   });
-  RawTable table = drives(mat.variables) ? read_drives(mat, source.name) : read_table(mat, source, options);
-  table.format = kMatlab.format.name;
-  return table;
+  if (trx(mat.variables)) return read_trx(mat, source.name);
+  return drives(mat.variables) ? read_drives(mat, source.name) : read_table(mat, source, options);
 }
 
 }  // namespace
 
-const Reader kMatlab = {{"mat", "MATLAB 5 and 7.3: a table of rows, or the arrays pos_ev_k of herding drives", ".mat"}, recognises, read};
+const Reader kMatlab = {
+    {"mat", "MATLAB 5 and 7.3: a table of rows, the arrays pos_ev_k of herding drives, or trx of Ctrax, JAABA and FlyTracker", ".mat"},
+    recognises,
+    read};
 
 }  // namespace swarmfit

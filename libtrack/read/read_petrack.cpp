@@ -69,8 +69,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   const bool head = options.columns.empty() && map.has(FileColumn::z);
   if (head) std::replace(map.of.begin(), map.of.end(), FileColumn::z, FileColumn::skip);
   map.spec = positional(map);
-  RawTable table = read_rows(source.name, source.bytes, header, map);
-  table.format = kPeTrack.format.name;
+  RawTable table = read_rows(source, header, map, options);
   if (head) table.notes.push_back("z is the height of the head: the motion is two-dimensional (--columns id,frame,x,y,z reads it as 3-D)");
   return table;
 }

@@ -6,6 +6,7 @@
 
 #include "libtrack/error.h"
 #include "libtrack/read/formats.h"
+#include "libtrack/read/sqlite_file.h"
 
 namespace swarmfit {
 namespace {
@@ -27,28 +28,39 @@ constexpr std::array kRefusals = {
     Refusal{"\x80\x03"sv, "", kPickle},
     Refusal{"\x80\x04"sv, "", kPickle},
     Refusal{"\x80\x05"sv, "", kPickle},
-    Refusal{"\x93NUMPY"sv, "", "is a NumPy array; expected a table (in Python: save rows of id,frame,x,y as CSV)"},
     Refusal{"{\\rtf"sv, "", "is a formatted document (RTF); expected a recording"},
     Refusal{"%PDF"sv, "", "is a PDF document; expected a recording"},
-    Refusal{"PK\x03\x04"sv, "", "is a zip archive or a spreadsheet; expected a table (unpack it, or save the sheet as CSV)"},
-    Refusal{"\x1f\x8b"sv, "", "is compressed by gzip; expected the unpacked file (gunzip it first)"},
-    Refusal{"\x89HDF"sv, "", "is an HDF5 file of no known layout; expected MATLAB 7.3 or a table (convert it to CSV)"},
     Refusal{"\x89PNG"sv, "", "is an image; expected a recording"},
-    Refusal{"<?xml"sv, "", "is an XML file; expected a table (TrackMate: export the spots as CSV)"},
+    Refusal{"<?xml"sv, "", "is an XML file of no known layout; expected one that swarmfit formats lists"},
     Refusal{"", ".md", "is a Markdown document; expected a recording"},
     Refusal{"", ".pkl", kPickle},
     Refusal{"", ".pickle", kPickle},
 };
 
-// A NumPy file whose elements are Python objects is a pickle in a wrapper.
-bool holds_objects(std::string_view bytes) {
-  return bytes.starts_with("\x93NUMPY") && bytes.substr(0, 256).find("'|O'") != std::string_view::npos;
+// What an HDF5 file of no known layout holds, for the user to see what it is.
+std::string datasets(const Hdf5Contents& contents) {
+  std::vector<std::string> shown;
+  for (const auto& object : contents.objects)
+    if (object.kind != Hdf5Object::Kind::group) shown.push_back(object.shown());
+  return shown.empty() ? "nothing" : listed(shown);
 }
 
 }  // namespace
 
 void refuse_non_recordings(const Source& source) {
-  if (holds_objects(source.bytes)) throw InputError(fmt::format("{}: {}", source.name, kPickle));
+  if (const auto* contents = source.hdf5())
+    throw InputError(fmt::format(
+        "{}: is an HDF5 file of no known layout, which holds {}; expected one that swarmfit formats lists, or `columns` and `var` "
+        "for its arrays",
+        source.name, datasets(*contents)));
+  if (is_sqlite(source.bytes)) {
+    std::vector<std::string> names;
+    const SqliteFile file(source.name, source.bytes);
+    for (const auto& [table, columns] : file.tables()) names.push_back(table);
+    throw InputError(
+        fmt::format("{}: is a SQLite database of no known layout, with the tables {}; expected one that swarmfit formats lists",
+                    source.name, names.empty() ? "none" : listed(names)));
+  }
   for (const auto& refusal : kRefusals) {
     const bool hit = refusal.start.empty() ? source.ends_with(refusal.ending) : source.bytes.starts_with(refusal.start);
     if (hit) throw InputError(fmt::format("{}: {}", source.name, refusal.reason));

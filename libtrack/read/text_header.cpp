@@ -7,9 +7,11 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <span>
 
 #include "libtrack/error.h"
 #include "libtrack/read/timestamp.h"
+#include "libtrack/read/units.h"
 #include "libtrack/text_scan.h"
 
 namespace swarmfit {
@@ -30,12 +32,6 @@ bool is_number(const std::string& field) {
 }
 
 bool is_value(const std::string& field) { return is_number(field) || parse_timestamp(field) || parse_date(field); }
-
-// A line of names: at least one field is text, and none is a value.
-bool is_header(const std::vector<std::string>& fields) {
-  return std::none_of(fields.begin(), fields.end(), is_value) &&
-         std::any_of(fields.begin(), fields.end(), [](const auto& f) { return !is_missing(f); });
-}
 
 // The number behind the first ':' of a comment; 0 when there is none.
 double number_behind_colon(std::string_view comment) {
@@ -105,8 +101,9 @@ void read_comment(std::string_view line, TextHeader& header) {
   if (text.find("petrack") != std::string::npos) header.petrack = true;
 }
 
-// The first of ; tab , that cuts all sampled lines into equally many fields; else the first that cuts the first line; else blanks.
-char find_delimiter(const std::vector<std::string_view>& sample) {
+// The first of ; tab , that cuts all sampled lines into equally many fields; else the first that cuts the first line; else
+// blanks.
+char find_delimiter(std::span<const std::string_view> sample) {
   constexpr std::array candidates = {';', '\t', ','};
   for (const char c : candidates) {
     const auto count = split_fields(sample.front(), c).size();
@@ -114,12 +111,87 @@ char find_delimiter(const std::vector<std::string_view>& sample) {
   }
   for (const char c : candidates)
     if (split_fields(sample.front(), c).size() >= 3) return c;
+  for (const char c : candidates)
+    if (split_fields(sample.front(), c).size() >= 2 && split_fields(sample.back(), c).size() >= 2) return c;
   return ' ';
 }
 
 void refuse_other_encodings(const std::string& name, std::string_view bytes) {
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
     throw InputError(name + ": the text is UTF-16; expected UTF-8 (save it as CSV UTF-8)");
+}
+
+struct Sample {
+  std::vector<std::string_view> line;  // the first ones with content
+  std::vector<long> number;
+  std::string_view comment;  // the last one before them
+  long comment_number = 0;
+};
+
+constexpr std::size_t kSampleLines = 12, kLinesForDelimiter = 5;
+
+// Comments, which go into the header, then the first lines with content.
+Sample take_sample(const std::string& name, std::string_view text, TextHeader& header) {
+  Sample sample;
+  Lines lines(text);
+  for (std::string_view line; sample.line.size() < kSampleLines && lines.next(line);) {
+    if (has_content(line)) {
+      sample.line.push_back(line);
+      sample.number.push_back(lines.number());
+    } else if (sample.line.empty() && line.find_first_of("#%") != std::string_view::npos) {
+      sample.comment = line;
+      sample.comment_number = lines.number();
+      read_comment(line, header);
+    }
+  }
+  if (sample.line.empty()) throw InputError(name + ": the file is empty; expected rows of numbers");
+  return sample;
+}
+
+// Lines of a title above the names: of one or two words, where the names and their rows are three or more.
+std::size_t title_lines(const Sample& sample) {
+  for (const char c : {';', '\t', ','}) {
+    for (std::size_t k = 0; k + 1 < sample.line.size(); ++k) {
+      const auto fields = split_fields(sample.line[k], c);
+      if (fields.size() < 3) {
+        if (fields.size() > 2 || std::any_of(fields.begin(), fields.end(), is_value)) break;
+        continue;
+      }
+      if (k > 0 && is_header(fields) && split_fields(sample.line[k + 1], c).size() == fields.size()) return k;
+      break;
+    }
+  }
+  return 0;
+}
+
+// A row of units below the names: "s","","m","m". Needs one that is known, and nothing longer than a unit.
+bool is_unit_row(const std::vector<std::string>& fields) {
+  bool known = false;
+  for (const auto& field : fields) {
+    if (field.empty()) continue;
+    if (is_value(field) || field.size() > 12) return false;
+    known = known || length_unit(field) || time_unit(field);
+  }
+  return known;
+}
+
+// Makes names fit the rows, where it is known why they do not.
+void fit_names(const std::string& name, TextHeader& header) {
+  auto& names = header.names;
+  const auto& row = header.first_row;
+  if (names.empty() || names.size() == row.size()) return;
+  if (names.size() == row.size() + 1 && names.back().empty()) {
+    names.pop_back();
+  } else if (names.size() + 1 == row.size() && row.back().empty()) {
+    names.emplace_back();  // every row ends in a delimiter
+  } else if (names.size() + 1 == row.size()) {
+    names.insert(names.begin(), std::string());
+    header.notes.emplace_back("the header is one name short: the first column holds row names, as R writes them");
+  } else {
+    throw InputError(
+        at(name, header.names_line, 0,
+           fmt::format("the header has {} names but the first row has {} columns; expected as many", names.size(), row.size())));
+  }
 }
 
 }  // namespace
@@ -133,11 +205,19 @@ std::vector<std::string> split_fields(std::string_view line, char delimiter) {
   return out;
 }
 
+bool is_header(const std::vector<std::string>& fields) {
+  return std::none_of(fields.begin(), fields.end(), is_value) &&
+         std::any_of(fields.begin(), fields.end(), [](const auto& f) { return !is_missing(f); });
+}
+
 bool is_missing(std::string_view field) {
-  if (field.empty() || field == "-") return true;
-  if (field.size() > 4) return false;
-  const auto word = lower(field);
-  return word == "na" || word == "nan" || word == "null" || word == "none" || word == "n/a" || word == "-nan";
+  if (field.empty() || field == "-" || field == ".") return true;
+  if (field.size() > 9) return false;
+  auto word = lower(field);
+  if (word.front() == '#') word.erase(0, 1);  // of spreadsheets
+  if (word.front() == '-' || word.front() == '+') word.erase(0, 1);
+  constexpr std::array words = {"na", "nan", "null", "none", "n/a", "inf", "infinity", "nan(ind)"};
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 TextHeader look_at_text(const std::string& name, std::string_view bytes, const ReadOptions& options) {
@@ -145,34 +225,31 @@ TextHeader look_at_text(const std::string& name, std::string_view bytes, const R
   TextHeader header;
   const std::size_t mark = bytes.starts_with(kUtf8Mark) ? kUtf8Mark.size() : 0;
 
-  // Comments, then up to five lines with content.
-  constexpr std::size_t most = 5;
-  std::vector<std::string_view> sample;
-  std::vector<long> number;
-  std::string_view comment_line;
-  long comment_number = 0;
-  Lines lines(bytes.substr(mark));
-  for (std::string_view line; sample.size() < most && lines.next(line);) {
-    if (has_content(line)) {
-      sample.push_back(line);
-      number.push_back(lines.number());
-    } else if (sample.empty() && line.find_first_of("#%") != std::string_view::npos) {
-      comment_line = line;
-      comment_number = lines.number();
-      read_comment(line, header);
-    }
-  }
-  if (sample.empty()) throw InputError(name + ": the file is empty; expected rows of numbers");
+  const Sample sample = take_sample(name, bytes.substr(mark), header);
+  std::string_view comment_line = sample.comment;
 
-  header.delimiter = options.delimiter.value_or(find_delimiter(sample));
-  auto fields = split_fields(sample[0], header.delimiter);
-  std::size_t first = 0;
+  std::size_t first = title_lines(sample);
+  if (first > 0)
+    header.notes.push_back(
+        fmt::format("{} of a title above the column names were passed over", first == 1 ? "a line" : fmt::format("{} lines", first)));
+  const auto rest = std::span(sample.line).subspan(first);
+  header.delimiter = options.delimiter.value_or(find_delimiter(rest.first(std::min(rest.size(), kLinesForDelimiter))));
+  auto fields = split_fields(rest[0], header.delimiter);
+  const auto next = [&] {
+    if (++first == sample.line.size())
+      throw InputError(at(name, header.names_line, 0, "there is a header but no row; expected rows of numbers"));
+    fields = split_fields(sample.line[first], header.delimiter);
+  };
   if (is_header(fields)) {
-    header.names = std::move(fields);
-    header.names_line = number[0];
-    if (sample.size() < 2) throw InputError(at(name, number[0], 0, "there is a header but no row; expected rows of numbers"));
-    first = 1;
-    fields = split_fields(sample[1], header.delimiter);
+    header.names = fields;
+    header.names_line = sample.number[first];
+    header.names_text = sample.line[first];
+    next();
+    if (is_unit_row(fields) && fields.size() == header.names.size()) {
+      for (std::size_t i = 0; i < fields.size(); ++i)
+        if (!fields[i].empty()) header.names[i] += fmt::format(" [{}]", fields[i]);
+      next();
+    }
   } else if (!comment_line.empty()) {
     comment_line.remove_prefix(comment_line.find_first_of("#%") + 1);
     auto names = split_fields(comment_line, header.delimiter);
@@ -180,13 +257,14 @@ TextHeader look_at_text(const std::string& name, std::string_view bytes, const R
     if (names.size() != fields.size()) names = split_fields(comment_line, ' ');
     if (names.size() == fields.size() && is_header(names)) {
       header.names = std::move(names);
-      header.names_line = comment_number;
+      header.names_line = sample.comment_number;
       header.names_in_comment = true;
     }
   }
   header.first_row = std::move(fields);
-  header.data_at = static_cast<std::size_t>(sample[first].data() - bytes.data());
-  header.lines_before = number[first] - 1;
+  header.data_at = static_cast<std::size_t>(sample.line[first].data() - bytes.data());
+  header.lines_before = sample.number[first] - 1;
+  fit_names(name, header);
   return header;
 }
 

@@ -15,6 +15,7 @@ struct TextHeader {
   char delimiter = ',';            // ' ' stands for runs of blanks
   std::vector<std::string> names;  // of the columns; empty: none in the file
   long names_line = 0;             // line of the names
+  std::string_view names_text;     // that line; it may come again where parts were joined
   bool names_in_comment = false;   // they stood behind a '#'
   bool quoted = false;             // some field of the first rows is quoted
   std::vector<std::string> first_row;
@@ -24,18 +25,24 @@ struct TextHeader {
   double dt = 0;  // frame interval [s]; 0: not stated
   double t0 = 0;  // time of frame 0
   std::string unit;
+  std::vector<std::string> notes;
   bool synthetic = false;
   bool petrack = false;  // a comment names PeTrack
   std::vector<std::int64_t> episodes;
 };
 
-// Throws InputError for files without a row and for text in an encoding other than ASCII or UTF-8.
+// `names` is empty or has as many entries as `first_row`: R's row names get an empty one, lines of a title above the names are passed
+// over, a row of units below is put into the names ("x [mm]"). Throws InputError for files without a row, for text in an encoding other
+// than ASCII or UTF-8, and for a header that does not fit the rows.
 TextHeader look_at_text(const std::string& name, std::string_view bytes, const ReadOptions& options);
+
+// A line of names: at least one field is text, and none is a value.
+bool is_header(const std::vector<std::string>& fields);
 
 // Fields of one line.
 std::vector<std::string> split_fields(std::string_view line, char delimiter);
 
-// NA, NaN, NULL, None, "-" and the empty field.
+// NA, NaN, #N/A, NULL, None, inf, "-", "." and the empty field.
 bool is_missing(std::string_view field);
 
 }  // namespace swarmfit

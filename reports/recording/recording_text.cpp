@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/draw/sparkline.h"
 #include "reports/recording/evaluation_words.h"
 #include "reports/recording/summary_words.h"
@@ -28,6 +30,23 @@ std::string describe_text(const TrackMeta& meta, const Summary& s, TextStyle sty
   out += bullets("Look at these before trusting the file", suspicions, Paint::warning, style);
   if (suspicions.empty()) out += "\nNothing suspicious found.\n";
   return finished(std::move(out), style);
+}
+
+std::string first_rows_text(const Tracks& tracks, TextStyle style) {
+  constexpr Index most = 5;
+  TextRows rows = {{"individual", "frame", "t [s]"}};
+  std::vector<Align> columns = {Align::left, Align::right, Align::right};
+  for (int axis = 0; axis < tracks.dims(); ++axis) {
+    rows[0].push_back(fmt::format("{} [{}]", "xyz"[axis], printable(tracks.meta().unit)));
+    columns.push_back(Align::right);
+  }
+  for (Index i = 0; i < std::min(most, tracks.rows()); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    rows.push_back(
+        {printable(tracks.names()[tracks.track()[row]]), std::to_string(tracks.frame()[row]), brief(tracks.time(tracks.frame()[row]), 9)});
+    for (int axis = 0; axis < tracks.dims(); ++axis) rows.back().push_back(brief(tracks.pos()(i, axis), 6));
+  }
+  return finished("\nThe first rows as they were understood:\n" + TextTable(rows, columns, true, style).text(), style);
 }
 
 std::string evaluation_text(const Evaluation& e, TextStyle style) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 #include "reports/comparison/ranking_text.h"
@@ -118,6 +119,27 @@ TEST(DescribeText, SaysWhatIsThereAndWhatIsSuspicious) {
   EXPECT_THAT(text, HasSubstr("identity jump: 2 steps are longer than 20 median steps (track 12, frame 340)"));
   EXPECT_THAT(text, Not(HasSubstr("nan")));
   EXPECT_TRUE(is_ascii(describe_text(meta, s, {.colour = false, .unicode = false})));
+}
+
+TEST(FirstRowsText, FiveRowsAsUnderstood) {
+  TrackColumns columns;
+  columns.names = {"Ada\n"};
+  columns.pos = Rows::Zero(7, 3);
+  for (int i = 0; i < 7; ++i) {
+    columns.frame.push_back(10 + i);
+    columns.track.push_back(0);
+    columns.pos(i, 0) = 1.5 * i;
+  }
+  TrackMeta meta;
+  meta.dims = 2;
+  meta.dt = 0.5;
+  meta.unit = "mm";
+  const std::string text = first_rows_text(Tracks(columns, meta), {});
+  EXPECT_THAT(text, HasSubstr("x [mm]"));
+  EXPECT_THAT(text, Not(HasSubstr("z [mm]")));
+  EXPECT_THAT(text, Not(HasSubstr("Ada\n")));
+  EXPECT_TRUE(std::regex_search(text, std::regex(R"(Ada\? +14 +7 +6 +0\n)"))) << text;
+  EXPECT_THAT(text, Not(HasSubstr(" 15 ")));
 }
 
 TEST(EvaluationText, ShowsBothSides) {

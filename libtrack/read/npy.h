@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Arrays as NumPy stores them, format versions 1 to 3 (numpy.lib.format). Arrays of Python objects are programs and refused.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace swarmfit {
+
+// A plain array of numbers, row-major.
+struct NumberArray {
+  std::string name;  // in its container
+  std::vector<std::size_t> dims;
+  std::vector<double> value;
+  std::string shown() const;  // "name (100 x 12)"
+};
+
+inline bool is_npy(std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); }
+
+// `file` and `name` are for messages. Throws InputError when the bytes are no array of numbers or more are claimed than are there.
+NumberArray parse_npy(const std::string& file, const std::string& name, std::string_view bytes);
+
+}  // namespace swarmfit
