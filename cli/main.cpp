@@ -9,6 +9,7 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,8 @@ int main(int argc, char** argv) {
     return swarmfit::cli::run_line(argc, argv);
   } catch (const swarmfit::InputError& e) {
     return complain(e.what(), 2);
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory; expected a smaller job", 1);
   } catch (const std::exception& e) {
     return complain(e.what(), 1);
   } catch (...) {

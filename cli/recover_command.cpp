@@ -18,12 +18,19 @@
 namespace swarmfit::cli {
 namespace {
 
+constexpr double kLongestCrossing = 1e6;  // frames
+
 RecoveryOptions recovery_options(const Arguments& a) {
   RecoveryOptions o = a.recovery;
   o.compare = a.compare;
   if (a.parameters && o.compare.models.size() != 1) throw InputError("recover `parameters`: expected exactly one model, as in -m brownian");
   if (!a.parameters && o.compare.models.size() < 2)
     throw InputError("recover: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
+  // Before it is filmed a group crosses itself, simulated frame by frame.
+  if (const double crossing = o.scales.time() / o.film.dt; crossing > kLongestCrossing)
+    throw InputError(
+        fmt::format("recover: at this `fps` a group takes {:.3g} frames to move by its `extent` at its `speed`; expected at most {:g}",
+                    crossing, kLongestCrossing));
   return o;
 }
 

@@ -10,6 +10,7 @@ constexpr double kMostFrames = 10'000'000;
 constexpr double kMostAgents = 10'000'000;     // of simulate
 constexpr double kMostAnimals = 100'000;       // of a recording that is fitted
 constexpr double kMostRecordings = 10'000;     // per model
+constexpr double kSlowest = 1e-6;              // frames per second: many steps of a model lie between two frames
 constexpr double kSmall = 1e-9, kLarge = 1e9;  // lengths and speeds, in any unit
 
 std::vector<Setting> of_both() {
@@ -17,7 +18,7 @@ std::vector<Setting> of_both() {
       {.name = "fps",
        .in = kSimulate | kRecover,
        .help = "frames per second",
-       .allowed = above(kSmall, kLarge),
+       .allowed = above(kSlowest, kLarge),
        .initial = "100",
        .use =
            [](Arguments& a, const Value& v) {

@@ -83,7 +83,7 @@ class Assembly {
     if (!rate) fail("the frame rate is not in the file; expected `fps`, for example `fps` 25");
     if (!unit) fail("the length unit is not in the file; expected `unit`, for example `unit` mm");
     if (!options_.unit.empty() && !table_.unit.empty() && options_.unit != table_.unit)
-      fail(fmt::format("the file states the unit {} but `unit` says {}; expected the same or no flag", table_.unit, options_.unit));
+      fail(fmt::format("the file states the unit {} but `unit` says {}; expected the same or none given", table_.unit, options_.unit));
     if (options_.fps && !(*options_.fps > 0 && std::isfinite(*options_.fps)))
       throw InputError(fmt::format("`fps`: {} is no frame rate; expected a number above 0", *options_.fps));
     if (options_.fps && table_.dt > 0) check_rate(1 / table_.dt, "the file states");
@@ -91,7 +91,7 @@ class Assembly {
 
   void check_rate(double in_file, std::string_view words) const {
     if (options_.fps && std::abs(*options_.fps / in_file - 1) > 0.01)
-      fail(fmt::format("{} {:.6g} frames per second but `fps` says {:.6g}; expected the same within 1 % or no flag", words, in_file,
+      fail(fmt::format("{} {:.6g} frames per second but `fps` says {:.6g}; expected the same within 1 %, or none given", words, in_file,
                        *options_.fps));
   }
 

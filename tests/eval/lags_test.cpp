@@ -212,7 +212,7 @@ TEST(Lags, AreReadInAnyOrder) {
 TEST(Lags, OddOnesAreRefusedInOneLine) {
   for (const char* bad : {"", "0", "-2", "1.5", "1,,4", "1,", "four", "1 4", "99999999999", "1000001", "auto,1"}) {
     const std::string message = refusal([&] { parse_lags(bad); });
-    EXPECT_THAT(message, AllOf(HasSubstr(std::string("--lags ") + bad), HasSubstr("positive whole numbers"))) << bad;
+    EXPECT_THAT(message, AllOf(HasSubstr(std::string("`lags` ") + bad), HasSubstr("positive whole numbers"))) << bad;
     EXPECT_EQ(message.find('\n'), std::string::npos);
   }
   EXPECT_THAT(refusal([] { parse_lags("4,1,4"); }), HasSubstr("4 is named twice"));
@@ -231,7 +231,7 @@ TEST(Lags, LongerThanAnyTrackIsRefused) {
 
 TEST(Lags, RecordedVelocitiesHaveOneOnly) {
   const Tracks tracks = tracks_of(test::trapped(1, 3, 20, {.velocity = true}), {.velocity = true});
-  EXPECT_THAT(refusal([&] { metric_samples(tracks, {VelocitySource::recorded, {1, 2}}); }), HasSubstr("--lags 1"));
+  EXPECT_THAT(refusal([&] { metric_samples(tracks, {VelocitySource::recorded, {1, 2}}); }), HasSubstr("`lags` 1"));
   EXPECT_EQ(metric_samples(tracks, {VelocitySource::recorded, {1}}).columns.size(), 7u);
 }
 

@@ -135,7 +135,7 @@ TEST(Arena, ParsesAndRefuses) {
   const auto given = parse_arena("-1:2,-1:3,-4:4", pair());
   EXPECT_EQ(given.kind, Bounds::Kind::box);
   EXPECT_EQ(given.lower[2], -4);
-  EXPECT_THAT(arena_error("ball"), HasSubstr("--arena ball"));
+  EXPECT_THAT(arena_error("ball"), HasSubstr("`arena` ball"));
   EXPECT_THAT(arena_error("-1:2,-1:3"), HasSubstr("x0:x1,y0:y1,z0:z1"));
   EXPECT_THAT(arena_error("-1:2,-1:3,4:-4"), HasSubstr("empty"));
   EXPECT_THAT(arena_error("-1:2,-1:x,-4:4"), HasSubstr("'x' is not a number"));

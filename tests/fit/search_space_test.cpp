@@ -153,12 +153,12 @@ TEST(SearchSpace, IllegalValuesAreRefused) {
     return "";
   };
   const auto set = [](const char* name, double value) { return ParameterRequests{{{name, value}}, {}, {}}; };
-  EXPECT_THAT(refusal("boids", set("speed", -5)), HasSubstr("--set speed=-5: is not allowed; expected a number greater than 0"));
+  EXPECT_THAT(refusal("boids", set("speed", -5)), HasSubstr("`set` speed=-5: is not allowed; expected a number greater than 0"));
   EXPECT_THAT(refusal("boids", set("speed", 0)), HasSubstr("greater than 0"));
   EXPECT_THAT(refusal("bswarm", set("chi_rep", -1)), HasSubstr("at least 0"));
   EXPECT_THAT(refusal("rvo", set("max_neighbours", 2.5)), HasSubstr("a whole number"));
   EXPECT_THAT(refusal("boids", set("tau", std::nan(""))), HasSubstr("not allowed"));
-  EXPECT_THAT(refusal("boids", {{}, {}, {{"radius", {-1, 1}}}}), HasSubstr("--bounds radius=-1"));
+  EXPECT_THAT(refusal("boids", {{}, {}, {{"radius", {-1, 1}}}}), HasSubstr("`bounds` radius=-1"));
   EXPECT_EQ(refusal("brownian", set("gamma1", -5)), "") << "friction";
   EXPECT_EQ(refusal("boids", {{}, {}, {{"radius", {0, 1}}}}), "");
 }
@@ -170,7 +170,7 @@ TEST(CheckRequests, NamesTheParametersThereAre) {
     check_requests(requests, {parse_model("bswarm")});
     FAIL() << "no error";
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), HasSubstr("--set gama"));
+    EXPECT_THAT(e.what(), HasSubstr("`set` gama"));
     EXPECT_THAT(e.what(), HasSubstr("gamma"));
   }
 }

@@ -77,16 +77,16 @@ TEST_P(Mat, AnyTableWithColumns) {
   EXPECT_EQ(tracks.pos()(2, 0), 3.5);
   EXPECT_EQ(
       error_of(bytes),
-      "f.csv: nothing says what the 4 columns of 'data' are; expected --columns, such as --columns id,x,y,z,t; the first row is 7,0,1.5,4");
+      "f.csv: nothing says what the 4 columns of 'data' are; expected `columns`, such as `columns` id,x,y,z,t; the first row is 7,0,1.5,4");
 }
 
 TEST_P(Mat, ChoosingAVariable) {
   const auto bytes = mat_file({jackdaws("a"), jackdaws("b")}, GetParam());
-  EXPECT_EQ(error_of(bytes), "f.csv: there are several tables among its variables a (30 x 12), b (30 x 12); expected --var NAME");
-  EXPECT_EQ(error_of(bytes, {.variable = "c"}), "--var: f.csv has no variable 'c'; expected one of a (30 x 12), b (30 x 12)");
+  EXPECT_EQ(error_of(bytes), "f.csv: there are several tables among its variables a (30 x 12), b (30 x 12); expected `var` NAME");
+  EXPECT_EQ(error_of(bytes, {.variable = "c"}), "`var`: f.csv has no variable 'c'; expected one of a (30 x 12), b (30 x 12)");
   EXPECT_EQ(read(bytes, {.columns = "id,x,y,z,t,_,_,_,_,_,_,_", .unit = "m", .variable = "b"}).rows(), 30);
   EXPECT_EQ(error_of(mat_file({{"n", {1, 1}, {3}}}, GetParam())),
-            "f.csv: there is no table of rows among its variables n (1 x 1); expected --var NAME");
+            "f.csv: there is no table of rows among its variables n (1 x 1); expected `var` NAME");
 }
 
 TEST_P(Mat, FaultsHaveTheirRow) {

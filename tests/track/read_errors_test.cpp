@@ -52,24 +52,24 @@ std::vector<Fault> faults() {
       {"time in milliseconds", "id,t [ms],x,y\n1,10,1,2\n", flags(), "the time column 't [ms]' is in ms; expected seconds"},
       {"neither time nor frame", "id,x,y\n1,1,2\n", flags(), "f.csv: there is neither a frame nor a time column; expected frame or t"},
       {"no positions", "id,frame,u\n1,0,2\n", flags(),
-       "f.csv:1: no position columns among id, frame, u; expected x and y (--columns x=NAME,y=NAME,... if they have other names)"},
+       "f.csv:1: no position columns among id, frame, u; expected x and y (`columns` x=NAME,y=NAME,... if they have other names)"},
       {"nobody seen", head + "1,0,,2\n", flags(), "f.csv: no row has a position; expected at least one"},
       {"two claims", "particle,track,frame,x,y\n1,1,0,1,2\n", flags(),
-       "f.csv:1: both 'particle' and 'track' could be id; expected --columns to say which"},
+       "f.csv:1: both 'particle' and 'track' could be id; expected `columns` to say which"},
       {"degrees", "id,frame,lon,lat\n1,0,1,2\n", flags(),
        "f.csv: positions are longitude and latitude in degrees; expected a length unit (project them to metres first, for example to UTM)"},
       {"no header", "1,0,1,2\n1,1,1,2\n", flags(),
-       "f.csv:1: the file has no header; expected --columns to name its 4 columns, such as --columns id,x,y,z (_ skips one); the first row "
+       "f.csv:1: the file has no header; expected `columns` to name its 4 columns, such as `columns` id,x,y,z (_ skips one); the first row "
        "is "
        "1,0,1,2"},
-      {"unknown unit", good, {.fps = 10}, "f.csv: the length unit is not in the file; expected the flag --unit, for example --unit mm"},
-      {"unknown rate", good, {.unit = "m"}, "f.csv: the frame rate is not in the file; expected the flag --fps, for example --fps 25"},
+      {"unknown unit", good, {.fps = 10}, "f.csv: the length unit is not in the file; expected `unit`, for example `unit` mm"},
+      {"unknown rate", good, {.unit = "m"}, "f.csv: the frame rate is not in the file; expected `fps`, for example `fps` 25"},
       {"another unit", "# unit: mm\n" + good, flags(),
-       "f.csv: the file states the unit mm but --unit says m; expected the same or no flag"},
+       "f.csv: the file states the unit mm but `unit` says m; expected the same or none given"},
       {"another rate", "# fps: 25\n" + good, flags(),
-       "f.csv: the file states 25 frames per second but --fps says 10; expected the same within 1 % or no flag"},
-      {"time against --fps", "id,t,x,y\n1,0,1,2\n1,0.2,1,2\n", flags(),
-       "f.csv: the time stamps say 5 frames per second but --fps says 10; expected the same within 1 % or no flag"},
+       "f.csv: the file states 25 frames per second but `fps` says 10; expected the same within 1 %, or none given"},
+      {"time against `fps`", "id,t,x,y\n1,0,1,2\n1,0.2,1,2\n", flags(),
+       "f.csv: the time stamps say 5 frames per second but `fps` says 10; expected the same within 1 %, or none given"},
       {"time against the stated rate",
        "# fps: 10\nid,t,x,y\n1,0,1,2\n1,0.2,1,2\n",
        {.unit = "m"},
@@ -77,34 +77,34 @@ std::vector<Fault> faults() {
       {"one moment",
        "id,t,x,y\n1,7,1,2\n2,7,1,2\n",
        {.unit = "m"},
-       "f.csv: all rows have the same time; expected the flag --fps, for example --fps 25"},
+       "f.csv: all rows have the same time; expected `fps`, for example `fps` 25"},
       {"conflicting rows", head + "1,0,1,2\n2,0,1,2\n1,0,1,3\n", flags(),
        "f.csv:4: individual '1' has another row for frame 0 at f.csv:2; expected one row per individual and frame"},
       {"kind", "id,frame,x,y,kind\n1,0,1,2,256\n", flags(), "f.csv:2: kind 256 is not allowed; expected an integer from 0 to 255"},
       {"UTF-16", "\xFF\xFEi\0d\0,\0", flags(), "f.csv: the text is UTF-16; expected UTF-8 (save it as CSV UTF-8)"},
-      {"--fps 0", good, with([](auto& o) { o.fps = 0; }), "--fps: 0 is no frame rate; expected a number above 0"},
-      {"--fill-gaps -1", good, with([](auto& o) { o.fill_gaps = -1; }), "--fill-gaps: -1 is negative; expected a number of frames"},
-      {"--format", good, with([](auto& o) { o.format = "xyz"; }), "--format: 'xyz' is not known; expected one of mat, petrack, text"},
-      {"--frames", good, with([](auto& o) {
+      {"`fps` 0", good, with([](auto& o) { o.fps = 0; }), "`fps`: 0 is no frame rate; expected a number above 0"},
+      {"`fill-gaps` -1", good, with([](auto& o) { o.fill_gaps = -1; }), "`fill-gaps`: -1 is negative; expected a number of frames"},
+      {"`format`", good, with([](auto& o) { o.format = "xyz"; }), "`format`: 'xyz' is not known; expected one of mat, petrack, text"},
+      {"`frames`", good, with([](auto& o) {
          o.frames = Interval{5, 9};
        }),
-       "--frames: no row lies in that range of frames of f.csv; the recording has frames 0 to 1, times 0 to 0.1 s"},
-      {"--times", good, with([](auto& o) {
+       "`frames`: no row lies in that range of frames of f.csv; the recording has frames 0 to 1, times 0 to 0.1 s"},
+      {"`times`", good, with([](auto& o) {
          o.times = Interval{5, 9};
        }),
-       "--times: no row lies in that range of times of f.csv; the recording has frames 0 to 1, times 0 to 0.1 s"},
-      {"--columns: unknown", good, flags("id,frame,x,q"),
-       "--columns: 'q' is not a known column; expected id, frame, t, x, y, z, vx, vy, vz, ax, ay, az, kind, or _ to skip a column"},
-      {"--columns: twice", good, flags("id,x,x,y"), "--columns: 'x' is given twice; expected every column once"},
-      {"--columns: no y", good, flags("id,frame,x,_"), "--columns: 'y' is missing; expected at least x and y"},
-      {"--columns: count", good, flags("id,frame,x,y,z"),
-       "--columns: 5 columns are listed but the file has 4; expected one name per column, _ to skip"},
-      {"--columns: no such name", good, flags("id=id,x=X,y=Y2"), "--columns: the file has no column 'Y2'; expected one of id, frame, x, y"},
-      {"--columns: names without header", "1,0,1,2\n1,1,1,2\n", flags("id=id,x=x,y=y"),
-       "--columns: names are given but the file has no header; expected a list by position of its 4 columns"},
-      {"--columns: mixed", good, flags("id=id,x,y"),
-       "--columns: 'x' has no '='; expected either a list by position or only entries like x=NAME"},
-      {"--columns: column twice", good, flags("x=x,y=x"), "--columns: column 'x' is used twice; expected every column once"},
+       "`times`: no row lies in that range of times of f.csv; the recording has frames 0 to 1, times 0 to 0.1 s"},
+      {"`columns`: unknown", good, flags("id,frame,x,q"),
+       "`columns`: 'q' is not a known column; expected id, frame, t, x, y, z, vx, vy, vz, ax, ay, az, kind, or _ to skip a column"},
+      {"`columns`: twice", good, flags("id,x,x,y"), "`columns`: 'x' is given twice; expected every column once"},
+      {"`columns`: no y", good, flags("id,frame,x,_"), "`columns`: 'y' is missing; expected at least x and y"},
+      {"`columns`: count", good, flags("id,frame,x,y,z"),
+       "`columns`: 5 columns are listed but the file has 4; expected one name per column, _ to skip"},
+      {"`columns`: no such name", good, flags("id=id,x=X,y=Y2"), "`columns`: the file has no column 'Y2'; expected one of id, frame, x, y"},
+      {"`columns`: names without header", "1,0,1,2\n1,1,1,2\n", flags("id=id,x=x,y=y"),
+       "`columns`: names are given but the file has no header; expected a list by position of its 4 columns"},
+      {"`columns`: mixed", good, flags("id=id,x,y"),
+       "`columns`: 'x' has no '='; expected either a list by position or only entries like x=NAME"},
+      {"`columns`: column twice", good, flags("x=x,y=x"), "`columns`: column 'x' is used twice; expected every column once"},
   };
 }
 
@@ -164,10 +164,10 @@ TEST(ParseInterval, Faults) {
   for (const auto* text : {"", ":", "3", "a:b", "3:7:9", "nan:", "1:x"}) {
     EXPECT_THAT(
         [&] { parse_interval("frames", text); },
-        testing::ThrowsMessage<InputError>(std::string("--frames: '") + text + "' is not a range; expected first:last, first: or :last"));
+        testing::ThrowsMessage<InputError>(std::string("`frames`: '") + text + "' is not a range; expected first:last, first: or :last"));
   }
   EXPECT_THAT([] { parse_interval("times", "7:3"); },
-              testing::ThrowsMessage<InputError>("--times: '7:3' is empty; expected the smaller number first"));
+              testing::ThrowsMessage<InputError>("`times`: '7:3' is empty; expected the smaller number first"));
 }
 
 }  // namespace

@@ -177,8 +177,8 @@ TEST(ReadPeTrack, HeightIsNotMotion) {
 TEST(ReadPeTrack, OlderFilesWithoutHeaderAreKnownByTheirShape) {
   const std::string rows = "1 27 164.8 780.8 168.9\n1 28 164.8 771.9 168.9\n1 29 163.7 762.7 168.9\n";
   EXPECT_EQ(read(rows, {.fps = 16, .unit = "cm"}).meta().from.format, "petrack");
-  EXPECT_EQ(error_of(rows), "f.csv: neither frame rate nor length unit is in the file; expected both flags, for example --fps 25 --unit m");
-  // Not with commas, not without consecutive frames, not when --columns says what the columns are.
+  EXPECT_EQ(error_of(rows), "f.csv: neither frame rate nor length unit is in the file; expected both, for example `fps` 25 `unit` m");
+  // Not with commas, not without consecutive frames, not when `columns` says what the columns are.
   EXPECT_THAT(error_of("1,27,1.5,2.5,3.5\n1,28,1.5,2.5,3.5\n1,29,1.5,2.5,3.5\n"), HasSubstr("the file has no header"));
   EXPECT_THAT(error_of("1 27 1.5 2.5 3.5\n2 27 1.5 2.5 3.5\n3 27 1.5 2.5 3.5\n"), HasSubstr("the file has no header"));
   EXPECT_EQ(read(rows, flags("id,frame,x,y,z")).dims(), 3);

@@ -125,7 +125,7 @@ TEST(RealFiles, Pedestrians) {
   compare(read_tracks(folder + "uo-100-180-180.txt", {.fps = 16, .unit = "cm"}), {"uo-100", 121, 944, 23.0, 31, 180, 125});
   compare(read_tracks(folder + "uo-180-180-070.txt", {.fps = 16, .unit = "cm"}), {"uo-180", 148, 1600, 47.1, 76, 557, 48.7});
   for (const auto* file : {"uo-100-180-180.txt", "uo-180-180-070.txt"})
-    EXPECT_THAT([&] { read_tracks(folder + file); }, testing::ThrowsMessage<InputError>(HasSubstr("--fps 25 --unit m")));
+    EXPECT_THAT([&] { read_tracks(folder + file); }, testing::ThrowsMessage<InputError>(HasSubstr("`fps` 25 `unit` m")));
 }
 
 TEST(RealFiles, SheepDogAndShepherd) {
