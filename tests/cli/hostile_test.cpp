@@ -94,7 +94,7 @@ TEST_F(Hostile, NumbersBeyondAllSenseAreRefusedAtOnce) {
   expect_refused("fit demo -m boids --bounds radius=1:1e999", "--bounds: ");
   expect_refused("fit demo -m boids --error-limit nan", "--error-limit: ");
   expect_refused("fit demo -m boids --max-time 1e300h", "--max-time: '1e300h' is not allowed; expected a time above 0");
-  expect_refused("recover -m boids,brownian --extent -1", "--extent: '-1' is not allowed; expected a number above 1e-09");
+  expect_refused("recover -m boids,brownian --extent -1", "--extent: '-1' is not allowed; expected a number above 1e-09, at most 1e+09");
   expect_refused("recover -m boids,brownian --fps 1e9", "recover: at this --fps a group takes 4.44e+08 frames to move by its --extent");
   expect_refused("compare demo -m boids,brownian --scoring foo", "--scoring: 'foo' is not known; expected proper or pooled");
 }
