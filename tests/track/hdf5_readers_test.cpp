@@ -71,8 +71,7 @@ TEST(Sleap, OnePointOfThePosture) {
   MadeHdf5 file;
   make_sleap(file);
   EXPECT_EQ(error_of(file.bytes(), {.fps = 25}), "f.csv: every individual has 2 points, nose, tail; expected `node` NAME or `node` mean");
-  EXPECT_EQ(error_of(file.bytes(), {.node = "nose"}),
-            "f.csv: the frame rate is not in the file; expected the flag `fps`, for example `fps` 25");
+  EXPECT_EQ(error_of(file.bytes(), {.node = "nose"}), "f.csv: the frame rate is not in the file; expected `fps`, for example `fps` 25");
   const auto tracks = read(file.bytes(), {.fps = 25, .node = "nose"});
   EXPECT_EQ(tracks.meta().from.format, "sleap");
   EXPECT_EQ(tracks.meta().unit, "px");
@@ -120,7 +119,7 @@ TEST(PedestrianHdf5, WhatIsNotThereIsAskedFor) {
   MadeHdf5 file;
   file.table("/trajectory", {{"id:", {2}}, {"frame:", {5}}, {"x", {1}}, {"y", {4}}});
   EXPECT_EQ(error_of(file.bytes()),
-            "f.csv: neither frame rate nor length unit is in the file; expected both flags, for example `fps` 25 `unit` m");
+            "f.csv: neither frame rate nor length unit is in the file; expected both, for example `fps` 25 `unit` m");
   MadeHdf5 torn;
   torn.table("/trajectory", {{"id:", {2, 3}}, {"frame", {5, 5.5}}, {"x", {1, 1}}, {"y", {4, 4}}});
   EXPECT_EQ(error_of(torn.bytes(), flags()), "f.csv: row 2: the frame number 5.5 is not an integer; expected whole frames");
