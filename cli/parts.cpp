@@ -23,7 +23,8 @@ Part part_of(const std::string& dir) {
   if (!std::filesystem::exists(note_in(dir)))
     throw InputError(dir + ": no finished part of a study; expected one made with --part (an interrupted one goes on with resume --part)");
   const auto note = nlohmann::json::parse(read_file(note_in(dir)), nullptr, false);
-  if (!note.is_object() || !note.value("part", nlohmann::json()).is_number_integer() || !note.value("of", nlohmann::json()).is_number_integer())
+  if (!note.is_object() || !note.value("part", nlohmann::json()).is_number_integer() ||
+      !note.value("of", nlohmann::json()).is_number_integer())
     throw InputError(note_in(dir) + ": damaged; expected what --part wrote");
   return {note["part"], note["of"]};
 }
@@ -55,7 +56,8 @@ void merge_parts(const std::vector<std::string>& dirs, const std::string& out) {
   for (const std::string& dir : dirs) {
     const Part part = part_of(dir);
     if (part.of != of || read_file(dir + "/config.toml") != config)
-      throw InputError(fmt::format("{}: a part of another study than {}; expected parts of one, with the same settings", dir, dirs.front()));
+      throw InputError(
+          fmt::format("{}: a part of another study than {}; expected parts of one, with the same settings", dir, dirs.front()));
     if (!parts.emplace(part.number, dir).second)
       throw InputError(fmt::format("{}: part {} of {}, as is {}; expected each part once", dir, part.number, of, parts[part.number]));
   }
@@ -63,7 +65,8 @@ void merge_parts(const std::vector<std::string>& dirs, const std::string& out) {
     if (!parts.contains(k)) throw InputError(fmt::format("merge: part {} of {} is missing; expected all parts", k, of));
   std::vector<std::string> checkpoints;
   for (const auto& [number, dir] : parts)
-    if (std::filesystem::exists(dir + "/checkpoint")) checkpoints.push_back(dir + "/checkpoint");  // with more parts than cases, some are empty
+    if (std::filesystem::exists(dir + "/checkpoint"))
+      checkpoints.push_back(dir + "/checkpoint");  // with more parts than cases, some are empty
   begin_run(out, config);
   Checkpoint::merge(checkpoints, out + "/checkpoint");
 }

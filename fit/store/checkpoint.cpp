@@ -80,7 +80,8 @@ void Checkpoint::merge(std::span<const std::string> paths, const std::string& to
     if (head.empty()) throw InputError(path + ": is no checkpoint, or its head is damaged; expected that of a part");
     if (path == paths.front()) all.head_ = head;
     if (all.head_ != head)
-      throw InputError(fmt::format("{}: belongs to another study than {}; expected parts of one, with the same settings", path, paths.front()));
+      throw InputError(
+          fmt::format("{}: belongs to another study than {}; expected parts of one, with the same settings", path, paths.front()));
     all.read(std::string_view(bytes).substr(head.size()), sha256_hex(head));
   }
   all.seal_ = sha256_hex(all.head_);

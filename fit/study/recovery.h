@@ -70,8 +70,8 @@ RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::ui
 // Appends a case and counts its winner.
 void add_case(Recovery& recovery, RecoveryCase one);
 
-// Every n-th recording of a study, from the k-th on: for many jobs that do one study. What the others do is left out of the result, which is
-// then of no use; what this one did is in the checkpoint.
+// Every n-th recording of a study, from the k-th on: for many jobs that do one study. What the others do is left out of the result, which
+// is then of no use; what this one did is in the checkpoint.
 struct Part {
   int number = 1, of = 1;  // k, n
   bool has(std::size_t recording) const { return static_cast<int>(recording) % of == number - 1; }
