@@ -166,6 +166,9 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.resolution = resolution(conditions, target, options, result.observation.drowned);
   const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
   result.mean_weights = options.mean_weights;
+  // What cannot be searched or made is refused before anything is computed and kept.
+  for (const ModelChoice& model : options.models) SearchSpace(model, conditions.scales, options.requests), Ensemble(model, conditions);
+
   PerColumn<bool> clear = result.observation.used;
   for (std::size_t j = 0; j < clear.size(); ++j) clear[j] = clear[j] && !result.observation.drowned[j];
   const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);

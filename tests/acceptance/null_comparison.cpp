@@ -12,7 +12,7 @@
 namespace swarmfit {
 namespace {
 
-struct Tally {
+struct Heat {
   int first = 0, equal = 0, together = 0, explained = 0;
 };
 
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
   const ModelChoice model = parse_model(argv[1]);
   const auto argument = [&](int k, int otherwise) { return argc > k ? std::atoi(argv[k]) : otherwise; };
   const int recordings = argument(2, 200);
-  Tally tally;
+  Heat tally;
   fmt::print("seed,lead,p,goodness_p_first,goodness_p_second\n");
   for (int k = 1; k <= recordings; ++k) {
     const Comparison c =

@@ -167,8 +167,8 @@ TEST(SearchSpace, IllegalValuesAreRefused) {
 // Neither recordings nor scenes have stimuli yet.
 TEST(SearchSpace, RefusesWhatWouldDoNothing) {
   EXPECT_EQ(refusal("bswarm", {{{"chi_res", 4}}, {}, {}}),
-            "--set chi_res=4: would do nothing, as there are no stimuli here; expected 0, or no chi_res");
-  EXPECT_THAT(refusal("bswarm", {{}, {}, {{"r_res", {0, 3}}}}), HasSubstr("--bounds r_res=3: would do nothing"));
+            "`set` chi_res=4: would do nothing, as there are no stimuli here; expected 0, or no chi_res");
+  EXPECT_THAT(refusal("bswarm", {{}, {}, {{"r_res", {0, 3}}}}), HasSubstr("`bounds` r_res=3: would do nothing"));
   EXPECT_EQ(refusal("bswarm", {{{"chi_res", 0}}, {}, {}}), "");
   EXPECT_EQ(refusal("bswarm", {{}, {{"chi_res", true}}, {}}), "");
 }
