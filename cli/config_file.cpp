@@ -131,9 +131,10 @@ Settings with(Settings config, std::string_view name, const std::string& toml) {
 Values read_config(const std::string& path, const std::string& text, const Command& command) {
   const toml::table all = parse(path, text);
   for (const auto& [heading, node] : all) {
-    const bool known = std::any_of(commands().begin(), commands().end(), [&](const Command& c) { return c.name == heading.str(); });
+    const std::string name(heading.str());
+    const bool known = std::any_of(commands().begin(), commands().end(), [&name](const Command& c) { return c.name == name; });
     if (!known || !node.is_table())
-      refuse(path, node, fmt::format("'{}' is no command; expected settings under [{}]", shown(heading.str()), command.name));
+      refuse(path, node, fmt::format("'{}' is no command; expected settings under [{}]", shown(name), command.name));
   }
   const toml::table* mine = all[command.name].as_table();
   if (!mine) throw InputError(fmt::format("{}: says nothing of {}; expected settings under [{}]", path, command.name, command.name));

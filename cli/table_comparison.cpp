@@ -19,7 +19,7 @@ std::vector<std::string_view> budget_names() {
   return names;
 }
 
-std::vector<Setting> search() {
+std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "protocol",
        .in = kComparisons,
@@ -143,7 +143,7 @@ std::vector<Setting> conditions() {
   };
 }
 
-std::vector<Setting> scoring() {
+std::vector<Setting> scoring() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "error-limit",
        .in = kFits,

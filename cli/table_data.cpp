@@ -14,7 +14,7 @@ constexpr int kLongestGap = 100000;                // frames
 constexpr double kSlowest = 1e-9, kFastest = 1e9;  // frames per second
 constexpr double kLargestCode = 1e12;              // that stands for a missing position
 
-std::vector<Setting> inputs() {
+std::vector<Setting> inputs() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "DATA",
        .in = kDescribe | kConvert,
@@ -92,7 +92,7 @@ std::vector<Setting> inputs() {
   };
 }
 
-std::vector<Setting> reading() {
+std::vector<Setting> reading() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "columns",
        .in = kReading,

@@ -47,8 +47,11 @@ class Book {
     const auto book = parse_xml(name_, zip_.read(std::string(kWorkbook)));
     std::vector<Sheet> out;
     for (const auto sheet : child(book->document_element(), "sheets").children()) {
-      auto path = target[sheet.attribute("r:id").value()];
-      path = path.starts_with('/') ? path.substr(1) : "xl/" + path;
+      std::string path = target[sheet.attribute("r:id").value()];
+      if (path.starts_with('/'))
+        path.erase(0, 1);
+      else
+        path.insert(0, "xl/");
       out.push_back({sheet.attribute("name").value(), cells(path)});
     }
     return out;
@@ -73,7 +76,7 @@ class Book {
   std::string value(const pugi::xml_node& cell) const {
     const std::string_view type = cell.attribute("t").value();
     if (type == "inlineStr") return string_of(child(cell, "is"));
-    const std::string text = child(cell, "v").text().get();
+    std::string text = child(cell, "v").text().get();
     if (type != "s") return text;
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
