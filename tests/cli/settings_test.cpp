@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -188,8 +189,9 @@ TEST(ConfigFile, KeepsEveryValueOfEverySetting) {
 }
 
 struct WithFile : testing::Test {
-  std::string path =
-      (fs::temp_directory_path() / fmt::format("swarmfit_{}.toml", testing::UnitTest::GetInstance()->current_test_info()->name())).string();
+  std::string path = (fs::temp_directory_path() /
+                      fmt::format("swarmfit_{}_{}.toml", getpid(), testing::UnitTest::GetInstance()->current_test_info()->name()))
+                         .string();
   void TearDown() override { fs::remove(path); }
   void write(const std::string& text) const { std::ofstream(path, std::ios::binary) << text; }
 };
