@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "fit/compare/certainty.h"
 #include "fit/compare/facts.h"
@@ -166,18 +167,16 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.resolution = resolution(conditions, target, options, result.observation.drowned);
   const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
   result.mean_weights = options.mean_weights;
-  // What cannot be searched or made is refused before anything is computed and kept.
-  for (const ModelChoice& model : options.models) SearchSpace(model, conditions.scales, options.requests), Ensemble(model, conditions);
-
   PerColumn<bool> clear = result.observation.used;
   for (std::size_t j = 0; j < clear.size(); ++j) clear[j] = clear[j] && !result.observation.drowned[j];
   const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);
   result.film = cut(conditions.recording, span.first, span.last);
-  const Judge judge(conditions, clear, options.seed, runtime);
+  std::optional<Judge> judge;
   const auto view = [&](const Run& run, std::size_t k) {
-    return to_bytes(View{judge.look(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{}});
+    return to_bytes(View{judge->look(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{}});
   };
   Calibration calibration(options, conditions, target, used, result.history, on_progress, runtime, view);
+  judge.emplace(conditions, clear, options.seed, runtime);  // computes, so after whatever the searches refuse
   calibration.run(result);
 
   Laws laws{{}, {}, {}, {options.seed}};
@@ -186,7 +185,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
     const auto& search = calibration.searches()[m];
     const auto values = search.space().parameters(search.selected().x);
     result.models.push_back(fit_result(search, calibration.weighting()));
-    fill_views(result.models.back(), search.selected().views, judge, conditions.recording);
+    fill_views(result.models.back(), search.selected().views, *judge, conditions.recording);
     if (options.posterior) fill_posterior(result.models.back(), search, Rng{options.seed}.derive(Stream::posterior, m));
     selections.push_back(search.selections());
     laws.of.push_back(law_of(search.objective(), values, {options.seed}, options.laws));
@@ -200,7 +199,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.band = band_of(laws.of.front(), target);
   fill_certainty(result.models, laws, target, calibration.weighting(), options.budget.final_replicates);
   if (options.hold_out) fill_held_out(result, parts, options, conditions, calibration.weighting(), runtime);
-  judge.tell(result);
+  judge->tell(result);
   result.weights = per_column(calibration.weighting().weights);
   result.p1 = per_column(calibration.weighting().p1);
   result.p2 = per_column(calibration.weighting().p2);

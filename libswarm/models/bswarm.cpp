@@ -28,9 +28,11 @@
 //
 // Options (first value: default)
 //   noise          curl      noise · curl P(r / scale), fixed in space: agents at one place feel the same force; noise = gain / scale
-//                  perlin    3.68 noise · P(r / scale), in two dimensions 2.62: as strong as curl noise, root mean square; noise = gain
-//                  / 3.68 gaussian  lambda · G, G standard normal per component, new for each agent and step white     lambda · W, W
-//                  uniform on [-1, 1) per component, likewise none      0
+//                  perlin    3.68 noise · P(r / scale), in two dimensions 2.62: as strong as curl noise, root mean square;
+//                            noise = gain / 3.68
+//                  gaussian  lambda · G, G standard normal per component, new for each agent and step
+//                  white     lambda · W, W uniform on [-1, 1) per component, likewise
+//                  none      0
 //   interaction    on | off: F_int = 0 (the paper's "noise only")
 //   avoidance      orca | none
 //   infeasible     when no velocity is free of collisions: zero velocity | substep: redo the step in halves, thrice at most, then zero |

@@ -4,9 +4,6 @@
 // number it writes a wide table, X_Arena0_Ind0, which read_wide.cpp reads.
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "libtrack/error.h"
 #include "libtrack/read/read_text.h"
 
 namespace swarmfit {
@@ -20,12 +17,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   const auto header = look_at_text(source.name, source.bytes, options);
   ColumnMap map{.of = std::vector<FileColumn>(header.names.size(), FileColumn::skip)};
   Cells cells;
-  const auto find = [&](std::string_view name) {
-    const auto i = static_cast<std::size_t>(std::find(header.names.begin(), header.names.end(), name) - header.names.begin());
-    if (i == map.of.size())
-      throw InputError(at(source.name, header.names_line, 0, fmt::format("there is no column '{}'; expected those of AnimalTA", name)));
-    return i;
-  };
+  const auto find = [&](std::string_view column) { return column_named(column, header, source.name, "AnimalTA"); };
   map.of[find("Frame")] = FileColumn::frame;
   map.of[find("Ind")] = FileColumn::id;
   map.of[find("X")] = FileColumn::x;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // FastTrack's tracking.txt: head, tail and body of every individual in every image, in pixels; the body, unless --node says otherwise.
-#include <algorithm>
 
-#include "libtrack/error.h"
 #include "libtrack/read/pose_columns.h"
 
 namespace swarmfit {
@@ -17,12 +15,7 @@ bool recognises(const Source& source, const ReadOptions& options) {
 
 RawTable read(const Source& source, const ReadOptions& options) {
   const auto header = look_at_text(source.name, source.bytes, options);
-  const auto find = [&](const std::string& name) {
-    const auto i = static_cast<std::size_t>(std::find(header.names.begin(), header.names.end(), name) - header.names.begin());
-    if (i == header.names.size())
-      throw InputError(at(source.name, header.names_line, 0, "there is no column '" + name + "'; expected those of FastTrack"));
-    return i;
-  };
+  const auto find = [&](std::string_view column) { return column_named(column, header, source.name, "FastTrack"); };
   ColumnMap map{.of = std::vector<FileColumn>(header.names.size(), FileColumn::skip)};
   map.of[find("imageNumber")] = FileColumn::frame;
   map.of[find("id")] = FileColumn::id;

@@ -19,12 +19,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   const auto header = look_at_text(source.name, source.bytes, options);
   ColumnMap map{.of = std::vector<FileColumn>(header.names.size(), FileColumn::skip)};
   Cells cells;
-  const auto find = [&](std::string_view name) {
-    const auto i = static_cast<std::size_t>(std::find(header.names.begin(), header.names.end(), name) - header.names.begin());
-    if (i == map.of.size())
-      throw InputError(at(source.name, header.names_line, 0, "there is no column '" + std::string(name) + "'; expected those of Imaris"));
-    return i;
-  };
+  const auto find = [&](std::string_view column) { return column_named(column, header, source.name, "Imaris"); };
   map.of[find("TrackID")] = FileColumn::id;
   map.of[find("Position X")] = FileColumn::x;
   map.of[find("Position Y")] = FileColumn::y;

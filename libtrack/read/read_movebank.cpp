@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "libtrack/error.h"
 #include "libtrack/read/read_text.h"
 
 namespace swarmfit {
@@ -22,19 +21,13 @@ RawTable read(const Source& source, const ReadOptions& options) {
   const auto header = look_at_text(source.name, source.bytes, options);
   ColumnMap map{.of = std::vector<FileColumn>(header.names.size(), FileColumn::skip), .degrees = true};
   Cells cells;
-  const auto find = [&](std::string_view name) {
-    return static_cast<std::size_t>(std::find(header.names.begin(), header.names.end(), name) - header.names.begin());
-  };
-  const auto take = [&](std::string_view name, FileColumn as) {
-    if (find(name) == map.of.size())
-      throw InputError(at(source.name, header.names_line, 0, fmt::format("there is no column '{}'; expected those of Movebank", name)));
-    map.of[find(name)] = as;
-  };
+  const auto take = [&](std::string_view name, FileColumn as) { map.of[column_named(name, header, source.name, "Movebank")] = as; };
   take("timestamp", FileColumn::t);
   take("location-long", FileColumn::x);
   take("location-lat", FileColumn::y);
   take("individual-local-identifier", FileColumn::id);
-  if (find("visible") < map.of.size()) cells.words_in = find("visible");
+  if (std::find(header.names.begin(), header.names.end(), "visible") != header.names.end())
+    cells.words_in = column_named("visible", header, source.name, "Movebank");
   map.spec = by_name(map, header.names);
   auto table = read_rows(source, header, map, options, &cells);
   std::size_t hidden = 0;

@@ -3,11 +3,9 @@
 // mended, `id` numbers the objects of a frame; rows to be ignored are left out.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
-#include "libtrack/error.h"
 #include "libtrack/read/read_text.h"
 
 namespace swarmfit {
@@ -26,9 +24,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   constexpr std::array wanted = {std::pair{"x", FileColumn::x}, std::pair{"y", FileColumn::y}, std::pair{"frame", FileColumn::frame},
                                  std::pair{"track_fixed", FileColumn::id}, std::pair{"ignore", FileColumn::skip}};
   for (const auto& [name, column] : wanted) {
-    const auto i = static_cast<std::size_t>(std::find(header.names.begin(), header.names.end(), name) - header.names.begin());
-    if (i == map.of.size())
-      throw InputError(at(source.name, header.names_line, 0, fmt::format("there is no column '{}'; expected those of trackR", name)));
+    const std::size_t i = column_named(name, header, source.name, "trackR");
     map.of[i] = column;
     if (column == FileColumn::skip) cells.words_in = i;
   }

@@ -268,4 +268,11 @@ TextHeader look_at_text(const std::string& name, std::string_view bytes, const R
   return header;
 }
 
+std::size_t column_named(std::string_view column, const TextHeader& header, const std::string& file, std::string_view program) {
+  const auto found = std::find(header.names.begin(), header.names.end(), column);
+  if (found == header.names.end())
+    throw InputError(at(file, header.names_line, 0, fmt::format("there is no column '{}'; expected those of {}", column, program)));
+  return static_cast<std::size_t>(found - header.names.begin());
+}
+
 }  // namespace swarmfit

@@ -36,6 +36,9 @@ struct TextHeader {
 // than ASCII or UTF-8, and for a header that does not fit the rows.
 TextHeader look_at_text(const std::string& name, std::string_view bytes, const ReadOptions& options);
 
+// The column of this name in a file of a program that always writes it. Throws InputError, naming both.
+std::size_t column_named(std::string_view column, const TextHeader& header, const std::string& file, std::string_view program);
+
 // A line of names: at least one field is text, and none is a value.
 bool is_header(const std::vector<std::string>& fields);
 
