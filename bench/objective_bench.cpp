@@ -61,7 +61,7 @@ void evaluate(benchmark::State& state, const char* name) {
   for (auto _ : state) failed += objective.evaluate(candidates[next++ % kCandidates], seeds).failed;
   const auto evaluations = static_cast<double>(state.iterations());
   state.SetItemsProcessed(
-      static_cast<std::int64_t>(evaluations * static_cast<double>(state.range(0) * (state.range(1) - 1) * objective.steps())));
+      static_cast<std::int64_t>(evaluations * static_cast<double>(state.range(0) * (state.range(1) - 1) * objective.ensemble().steps())));
   state.counters["failed"] = failed / evaluations;
 }
 
