@@ -51,6 +51,8 @@ int check(const std::vector<Finding>& all, bool json) {
                               : std::isinf(f.above) ? fmt::format("at most {:g}", f.below)
                                                     : fmt::format("{:g} to {:g}", f.above, f.below);
     ListEntry entry{f.name, fmt::format("{} {:.4g}, expected {}: {}", f.measure, f.value, bound, f.met() ? "met" : "not met"), {}};
+    if (json)
+      entry.facts = {{"measure", f.measure}, {"value", fmt::format("{}", f.value)}, {"expected", bound}, {"met", f.met() ? "yes" : "no"}};
     if (!f.published.empty()) entry.facts.emplace_back("published", f.published);
     entries.push_back(std::move(entry));
   }

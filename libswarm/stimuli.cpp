@@ -10,15 +10,6 @@ using Eigen::Array3d;
 
 double length(const Array3d& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
-Array3d on_path(const std::vector<Stimulus::Key>& keys, double t) {
-  if (t <= keys.front().t) return keys.front().place;
-  for (std::size_t k = 1; k < keys.size(); ++k) {
-    const auto &a = keys[k - 1], &b = keys[k];
-    if (t < b.t) return a.place + (b.place - a.place) * ((t - a.t) / (b.t - a.t));
-  }
-  return keys.back().place;
-}
-
 // In index order, for the same bits whatever the alignment.
 Array3d centre_of(const State& state) {
   Array3d sum = Array3d::Zero();
@@ -27,6 +18,15 @@ Array3d centre_of(const State& state) {
 }
 
 }  // namespace
+
+Array3d on_path(const std::vector<Stimulus::Key>& keys, double t) {
+  if (t <= keys.front().t) return keys.front().place;
+  for (std::size_t k = 1; k < keys.size(); ++k) {
+    const auto &a = keys[k - 1], &b = keys[k];
+    if (t < b.t) return a.place + (b.place - a.place) * ((t - a.t) / (b.t - a.t));
+  }
+  return keys.back().place;
+}
 
 Stimuli::Stimuli(std::vector<Stimulus> stimuli, double shift)
     : stimuli_(std::move(stimuli)), shift_(shift), present_(stimuli_.size(), true), fields_(stimuli_.size()) {

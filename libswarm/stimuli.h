@@ -38,6 +38,9 @@ struct Stimulus {
   double from = -std::numeric_limits<double>::infinity(), until = std::numeric_limits<double>::infinity();  // when it is there [s]
 };
 
+// Where something on this path is: straight from key to key, still before the first and after the last.
+Eigen::Array3d on_path(const std::vector<Stimulus::Key>& keys, double t);
+
 // All stimuli of a world, and where they are now.
 class Stimuli : public WorldPart {
  public:

@@ -2,6 +2,7 @@
 #include "fit/experiment/expect.h"
 
 #include "libeval/behaviour.h"
+#include "libswarm/scenario/scenario.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -34,10 +35,9 @@ void check_expectations(const Scenario& scene) {
 std::vector<Finding> findings(const Scenario& scene, const Film& made) {
   check_expectations(scene);
   const Walls walls(scene.obstacles);
-  const Witness seen{
-      .agents = made.tracks, .stimuli = scene.stimuli.empty() ? nullptr : &made.stimuli, .forbidden = [&](const Eigen::Array3d& p) {
-        return walls.hold(p, scene.dims) || beyond(scene.bounds, p, scene.dims);
-      }};
+  const Witness seen{.agents = made.tracks, .stimuli = &made.stimuli, .forbidden = [&](const Eigen::Array3d& p) {
+                       return walls.hold(p, scene.dims) || beyond(scene.bounds, p, scene.dims);
+                     }};
   std::vector<Finding> all;
   for (const Expectation& e : scene.expectations)
     all.push_back({e.name, e.measure, observed(e.measure, seen, questions_of(e)), e.above, e.below, e.published});

@@ -6,6 +6,7 @@
 
 #include "fit/experiment/observe.h"
 #include "libswarm/centre.h"
+#include "libswarm/scenario/scenario.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -86,9 +87,9 @@ Film film(const Scenario& scene, const Camera& camera) {
   Observer error(nullptr, scene.dims == 3 ? Eigen::Array3d::Constant(sigma) : Eigen::Array3d(sigma, sigma, 0), {scene.seed}, collector);
   Dropouts dropouts(scene, camera, error);
   Film made;
-  made.count = play(scene, dropouts, scene.stimuli.empty() ? nullptr : &stimuli);
+  made.count = play(scene, dropouts, &stimuli);
   made.tracks = collector.take(meta_of(scene));
-  if (!scene.stimuli.empty()) made.stimuli = stimuli.take(meta_of(scene));
+  made.stimuli = stimuli.take(meta_of(scene));
   return made;
 }
 

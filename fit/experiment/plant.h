@@ -4,10 +4,11 @@
 
 #include "fit/results/results.h"
 #include "libswarm/model.h"
-#include "libswarm/scenario/scenario.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
+
+struct Scenario;  // libswarm/scenario/scenario.h
 
 // What a camera does to a scene.
 struct Camera {
@@ -18,7 +19,7 @@ struct Camera {
 
 struct Film {
   Tracks tracks;   // ids are agent numbers
-  Tracks stimuli;  // of those that there are, seen without error; kind 0 attracts, 1 repels
+  Tracks stimuli;  // and goals: those that there are, seen without error; kind 0 attracts, 1 repels
   Counters count;
 };
 

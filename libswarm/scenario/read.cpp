@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "libswarm/centre.h"
@@ -19,6 +20,7 @@ using Eigen::Array3d;
 using Words = std::vector<std::string_view>;
 
 constexpr std::int64_t kMost = 10'000'000;  // agents, frames
+constexpr double kMostCells = 1e8;          // of the grid in which ways are looked for
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr std::string_view kRest[] = {"reflect", "slip"};
 
@@ -43,6 +45,14 @@ void corners(Table& table, int dims, Array3d& lower, Array3d& upper) {
 
 Bounds::Wall wall_of(Table& table) { return table.choice("wall", kRest, "reflect") == "slip" ? Bounds::Wall::slip : Bounds::Wall::reflect; }
 
+// Rows of time and place.
+std::vector<Stimulus::Key> keys_of(Table& table, int dims) {
+  std::vector<Stimulus::Key> keys;
+  for (const auto& row : table.rows("path", static_cast<std::size_t>(dims) + 1))
+    keys.push_back({row[0], Array3d(row[1], row[2], dims == 3 ? row[3] : 0)});
+  return keys;
+}
+
 Bounds bounds_of(Table table, int dims) {
   static const Words kShapes{"open", "box", "sphere", "periodic"};
   Bounds bounds;
@@ -61,18 +71,68 @@ Bounds bounds_of(Table table, int dims) {
 }
 
 Obstacle obstacle_of(Table table, int dims) {
-  static const Words kShapes{"sphere", "box"};
+  static const Words kShapes{"sphere", "box", "cylinder", "plane"}, kFlat{"sphere", "box", "plane"};
   Obstacle o;
-  if (table.choice("shape", kShapes, std::nullopt) == "box") {
+  const auto shape = table.choice("shape", dims == 3 ? kShapes : kFlat, std::nullopt);
+  if (shape == "box") {
     o.shape = Obstacle::Shape::box;
     corners(table, dims, o.lower, o.upper);
-  } else {
-    o.centre = table.place("centre", std::nullopt, dims);
-    o.radius = table.number("radius", std::nullopt, kPositive);
+  } else if (shape == "cylinder") {
+    o.shape = Obstacle::Shape::cylinder;
+    o.lower = table.place("lower", std::nullopt, dims);
+    o.upper = table.place("upper", std::nullopt, dims);
+    if ((o.lower == o.upper).all()) table.refuse("upper", "is lower; expected the other end of the cylinder's axis");
+  } else if (shape == "plane") {
+    o.shape = Obstacle::Shape::plane;
+    o.normal = table.place("normal", std::nullopt, dims);
+    const double length = std::sqrt(o.normal.square().sum());
+    if (!(length > 0)) table.refuse("normal", "is zero; expected the direction to the side where agents are");
+    o.normal /= length;
   }
+  if (shape == "sphere" || shape == "plane") o.centre = table.place("centre", std::nullopt, dims);
+  if (shape == "sphere" || shape == "cylinder") o.radius = table.number("radius", std::nullopt, kPositive);
   o.wall = wall_of(table);
   table.finish();
   return o;
+}
+
+Goal goal_of(Table table, int dims) {
+  Goal g;
+  g.radius = table.number("radius", std::nullopt, kPositive);
+  if (table.has("path"))
+    g.path = keys_of(table, dims);
+  else
+    g.centre = table.place("at", std::nullopt, dims);
+  table.finish();
+  return g;
+}
+
+// A grid over the bounds, which have to be a box.
+void read_paths(Table& root, Scenario& scene) {
+  for (const Table& table : root.tables("goal")) scene.goals.push_back(goal_of(table, scene.dims));
+  auto table = root.table("paths");
+  if (scene.goals.empty() && table) table->refuse("[paths] lead nowhere; expected [[goal]]");
+  if (scene.goals.empty()) return;
+  if (scene.bounds.kind != Bounds::Kind::box)
+    root.refuse("goal", "is looked for in a grid over the bounds; expected [bounds] shape = \"box\"");
+  FieldGrid& grid = scene.paths.grid;
+  const Eigen::Array3d sides = scene.bounds.upper - scene.bounds.lower;
+  const double shortest = sides.head(scene.dims).minCoeff();
+  grid.lower = scene.bounds.lower;
+  grid.cell = table ? table->number("cell", shortest / 20, {1e-9, shortest}) : shortest / 20;
+  double cells = 1;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(scene.dims); ++axis) {
+    const double count = std::ceil(sides[static_cast<Index>(axis)] / grid.cell - 1e-9);
+    cells *= count;
+    if (cells > kMostCells)
+      table->refuse("cell", fmt::format("= {:g} makes more than {:g} cells; expected larger ones", grid.cell, kMostCells));
+    grid.count[axis] = static_cast<Index>(count);
+  }
+  if (!table) return;
+  scene.paths.length_weight = table->number("length_weight", scene.paths.length_weight, kPositive);
+  scene.paths.repulsion_weight = table->number("repulsion_weight", scene.paths.repulsion_weight, kNotNegative);
+  scene.paths.reach = table->number("reach", 0, kNotNegative);
+  table->finish();
 }
 
 // How it moves is told by the one of these keys that is there.
@@ -80,8 +140,7 @@ void motion_of(Table& table, Stimulus& s, int dims) {
   using enum Stimulus::Motion;
   if (table.has("path")) {
     s.motion = path;
-    for (const auto& row : table.rows("path", static_cast<std::size_t>(dims) + 1))
-      s.path.push_back({row[0], Array3d(row[1], row[2], dims == 3 ? row[3] : 0)});
+    s.path = keys_of(table, dims);
   } else if (table.has("lead")) {
     s.motion = lead;
     s.offset = table.place("lead", std::nullopt, dims);
@@ -268,6 +327,7 @@ Scenario read_scenario(const std::string& path, const std::string& text) {
   if (auto table = root.table("bounds")) scene.bounds = bounds_of(*table, scene.dims);
   for (const Table& table : root.tables("obstacle")) scene.obstacles.push_back(obstacle_of(table, scene.dims));
   for (const Table& table : root.tables("stimulus")) scene.stimuli.push_back(stimulus_of(table, scene.dims));
+  read_paths(root, scene);
   read_parameters(root, scene);
   read_schedules(root, scene);
   scene.groups = groups_of(root, scene);

@@ -14,7 +14,9 @@ namespace swarmfit {
 namespace {
 
 // The world has what the parameter acts on.
-bool has(const Scenario& scene, const std::string& part) { return part.empty() || (part == "stimuli" && !scene.stimuli.empty()); }
+bool has(const Scenario& scene, const std::string& part) {
+  return part.empty() || (part == "stimuli" && !scene.stimuli.empty()) || (part == "goals" && !scene.goals.empty());
+}
 
 double warm_up_time(const Scenario& scene) { return static_cast<double>(scene.warm_up) * scene.dt; }
 
@@ -50,19 +52,29 @@ class FromNow : public FrameSink {
     const std::int64_t number = now.frame - warm_up_;
     if (number < 0) return;
     agents_.frame({number, now.id, now.kind, now.pos, now.vel, now.own});
-    const auto* part = world_.part<Stimuli>();
-    if (!stimuli_ || !part) return;
+    if (stimuli_) show(number);
+  }
+
+ private:
+  void show(std::int64_t number) const {
     std::vector<std::uint32_t> id;
     std::vector<std::uint8_t> kind;
-    for (std::size_t k = 0; k < part->size(); ++k)
-      if (part->present(k)) id.push_back(static_cast<std::uint32_t>(k)), kind.push_back(static_cast<std::uint8_t>(part->kind(k)));
-    Rows pos(static_cast<Index>(id.size()), 3);
-    for (Index row = 0; row < pos.rows(); ++row) pos.row(row) = part->place(id[static_cast<std::size_t>(row)]).transpose();
+    std::vector<Eigen::Array3d> places;
+    std::uint32_t next = 0;
+    const auto add = [&](bool present, std::uint8_t of_kind, const Eigen::Array3d& place) {
+      if (present) id.push_back(next), kind.push_back(of_kind), places.push_back(place);
+      ++next;
+    };
+    if (const auto* part = world_.part<Stimuli>())
+      for (std::size_t k = 0; k < part->size(); ++k) add(part->present(k), static_cast<std::uint8_t>(part->kind(k)), part->place(k));
+    if (const auto* part = world_.part<Paths>())
+      for (std::size_t k = 0; k < part->size(); ++k) add(true, 0, part->place(k));
+    Rows pos(static_cast<Index>(places.size()), 3);
+    for (Index row = 0; row < pos.rows(); ++row) pos.row(row) = places[static_cast<std::size_t>(row)].transpose();
     const Rows vel = Rows::Zero(pos.rows(), 3);
     stimuli_->frame({number, id, kind, pos, vel});
   }
 
- private:
   std::int64_t warm_up_;
   FrameSink& agents_;
   FrameSink* stimuli_;
@@ -123,6 +135,7 @@ World world_of(const Scenario& scene) {
   world.dims = scene.dims;
   world.bounds = scene.bounds;
   if (!scene.stimuli.empty()) world.add(std::make_unique<Stimuli>(scene.stimuli, -warm_up_time(scene)));
+  if (!scene.goals.empty()) world.add(std::make_unique<Paths>(scene.paths, scene.goals, scene.obstacles, -warm_up_time(scene)));
   std::vector<Presence::Visit> visits;
   const Rng rng{scene.seed};
   for_each_agent_of(scene, [&](const Group& g, const Start& start, std::uint32_t id, Index k) {

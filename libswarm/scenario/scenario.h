@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "libswarm/model.h"
+#include "libswarm/paths.h"
 #include "libswarm/simulate.h"
 #include "libswarm/stimuli.h"
 #include "libswarm/walls.h"
@@ -70,6 +71,8 @@ struct Scenario {
   Bounds bounds{};
   std::vector<Obstacle> obstacles = {};
   std::vector<Stimulus> stimuli = {};
+  std::vector<Goal> goals = {};
+  PathOptions paths = {};  // to the goals; the grid covers the bounds if it is not given (one cell)
   std::vector<Schedule> schedules = {};
   std::vector<Group> groups = {Group{}};
   std::vector<Expectation> expectations = {};
@@ -93,8 +96,9 @@ World world_of(const Scenario& scene);
 State start_of(const Scenario& scene);  // without those who arrive later
 Plan plan_of(const Scenario& scene);    // frame 0 of the plan is the first of the warm-up
 
-// Simulates. `agents` gets the frames 0 .. frames-1, ids being agent numbers; `stimuli`, if there is one, those that are there, ids being
-// their numbers. Throws InputError if the model refuses the scene, or the simulation blows up.
+// Simulates. `agents` gets the frames 0 .. frames-1, ids being agent numbers; `stimuli`, if there is one, those that are there and
+// the goals, ids being their numbers, those of goals after those of stimuli. Throws InputError if the model refuses the scene, or the
+// simulation blows up.
 Counters play(const Scenario& scene, FrameSink& agents, FrameSink* stimuli = nullptr);
 
 // Tracks of a scene that was played.
