@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/comparison/quantities.h"
 #include "reports/comparison/words.h"
 #include "reports/write/number.h"
 #include "reports/write/plain_text.h"
@@ -111,42 +112,46 @@ Html warnings(const Comparison& c) {
 Html ranking(const Comparison& c) {
   HtmlTable table("Models by score, with their raw energies");
   table.sortable();
-  Cells head = {column("rank", true),  column("model"),       column("score", true),
-                column("score, 95 %"), column("fit p", true), column("skill ± se", true)};
-  if (c.recording.hold_out.used) head.insert(head.end(), {column("held out", true), column("gap", true)});
-  metric_heads(c, head);
-  head.push_back(column("tried", true));
-  table.head(head);
+  const auto columns = ranking_columns(c, Reader::page);
+  // Rank, model, the other columns of a ranking, and before the last of those the metrics.
+  const auto row = [&](const HtmlTable::Cell& model, auto cell, auto metrics) {
+    Cells cells = {cell(*columns.front()), model};
+    for (std::size_t k = 1; k + 1 < columns.size(); ++k) cells.push_back(cell(*columns[k]));
+    metrics(cells);
+    cells.push_back(cell(*columns.back()));
+    return cells;
+  };
+  const auto nothing = [&](Cells& cells) { metric_columns(c, cells, [](std::size_t) { return std::string(); }); };
+  table.head(row(
+      column("model"), [](const Quantity& q) { return column(q.head, q.key != "score_ci", false, q.meaning); },
+      [&](Cells& cells) { metric_heads(c, cells); }));
 
   const Scale scale = score_scale(c);
   for (std::size_t k = 0; k < c.models.size(); ++k) {
     const ModelFit& r = c.models[k];
     Html name = model_name(c, k);
     for (const std::string& remark : remarks(r)) name += element("span", "flag", escaped(remark));
-    Cells cells = {number_cell(r.standing.rank > 0 ? fmt::format("{} {}", r.standing.rank, group_letter(r)) : kUndefined), name_cell(name),
-                   number_cell(fixed(r.standing.score, 3))};
-    cells.push_back({.content = interval_drawing(r.standing.score, r.standing.certainty.lower, r.standing.certainty.upper, scale.lower,
-                                                 scale.upper, k)});
-    cells.push_back(number_cell(fixed(r.standing.certainty.goodness_p, 2)));
-    cells.push_back(number_cell(plus_minus(r.likeness.skill.value, r.likeness.skill.se, 2)));
-    if (c.recording.hold_out.used)
-      cells.insert(cells.end(), {number_cell(held_out_score(r)), number_cell(fixed(r.standing.score - r.standing.held_out.score, 3))});
-    metric_columns(c, cells, [&](std::size_t m) { return fixed(r.runs.raw_energies[m], 2); });
-    cells.push_back(number_cell(counted(r.search.evaluations)));
-    table.row(cells, r.standing.rank == 1 ? "first" : "");
+    const auto cell = [&](const Quantity& q) -> HtmlTable::Cell {
+      const Certainty& sure = r.standing.certainty;
+      if (q.key == "score_ci") return {.content = interval_drawing(r.standing.score, sure.lower, sure.upper, scale.lower, scale.upper, k)};
+      return number_cell(q.print(r, Reader::page));
+    };
+    const auto energies = [&](Cells& cells) { metric_columns(c, cells, [&](std::size_t m) { return fixed(r.runs.raw_energies[m], 2); }); };
+    table.row(row(name_cell(name), cell, energies), r.standing.rank == 1 ? "first" : "");
   }
-  const std::size_t before = c.recording.hold_out.used ? 8 : 6;  // columns that are not of a metric
-  if (std::isfinite(c.recording.skill.walker.value)) {
-    Cells walk = {text_cell(""), name_cell(escaped(kWalk))};
-    while (walk.size() < before + c.recording.columns.size() + 1) walk.push_back(text_cell(""));
-    walk[5] = number_cell(plus_minus(c.recording.skill.walker.value, c.recording.skill.walker.se, 2));
-    table.foot(walk);
+  const Estimate& walker = c.recording.skill.walker;
+  if (std::isfinite(walker.value)) {
+    const auto cell = [&](const Quantity& q) {
+      return q.key == "skill" ? number_cell(plus_minus(walker.value, walker.se, 2)) : text_cell("");
+    };
+    table.foot(row(name_cell(escaped(kWalk)), cell, nothing));
   }
-  Cells foot = {text_cell(""), name_cell(markup("weight in the score"))};
-  while (foot.size() < before) foot.push_back(text_cell(""));
-  metric_columns(c, foot, [&](std::size_t m) { return counts(c, m) ? fixed(c.ranking.weights[m], 3) : kUndefined; });
-  foot.push_back(text_cell(""));
-  Html out = table.foot(foot).html();
+  const auto weights = [&](Cells& cells) {
+    metric_columns(c, cells, [&](std::size_t m) { return counts(c, m) ? fixed(c.ranking.weights[m], 3) : kUndefined; });
+  };
+  table.foot(row(
+      name_cell(markup("weight in the score")), [](const Quantity&) { return text_cell(""); }, weights));
+  Html out = table.html();
   for (const std::string& note :
        {what_ranks_mean(c), c.recording.hold_out.used ? what_held_out_means(c) : std::string(), what_drowned_means(c)})
     if (!note.empty()) out += element("p", "note", escaped(note));

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reports/comparison/quantities.h"
 #include "reports/comparison/skill_json.h"
 #include "reports/write/json_parts.h"
 
@@ -107,16 +108,22 @@ Json parameters(const std::vector<ParameterResult>& table) {
   return out;
 }
 
-Json held_out(const Columns& columns, const ModelFit& r) {
-  const Certainty& c = r.standing.held_out.certainty;
-  return {{"score", r.standing.held_out.score},
-          {"gap", r.standing.score - r.standing.held_out.score},
-          {"score_ci", {c.lower, c.upper}},
-          {"lead_ci", {c.lead_lower, c.lead_upper}},
-          {"group", c.group > 0 ? Json(c.group) : Json()},
-          {"set_p", c.set_p},
-          {"raw_energies", per_column(columns, r.standing.held_out.raw)},
-          {"own_energies", per_column(columns, c.own)}};
+// Sets "a.b" as key b of the object a.
+void put(Json& object, std::string_view key, Json value) {
+  const auto dot = key.find('.');
+  Json& in = dot == key.npos ? object : object[std::string(key.substr(0, dot))];
+  in[std::string(dot == key.npos ? key : key.substr(dot + 1))] = std::move(value);
+}
+
+Json json_of(const Value& value) {
+  return std::visit(
+      [](const auto& v) -> Json {
+        using T = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<T, std::optional<int>>) return v ? Json(*v) : Json();
+        if constexpr (std::is_same_v<T, Interval>) return {v.first, v.second};
+        if constexpr (!std::is_same_v<T, std::optional<int>> && !std::is_same_v<T, Interval>) return v;
+      },
+      value);
 }
 
 Json hold_out(const HoldOutFacts& h) {
@@ -143,47 +150,28 @@ Json convergence(const std::vector<ConvergencePoint>& points) {
   return out;
 }
 
-Json model(const Columns& columns, const ModelFit& r) {
+Json model(const Comparison& c, const ModelFit& r) {
+  const Columns& columns = c.recording.columns;
+  Json out = {{"name", r.model}};
+  for (const Quantity& q : quantities())
+    if (known(q, c)) put(out, q.key, json_of(q.of(r)));
+  for (const ColumnQuantity& q : column_quantities()) put(out, q.key, per_column(columns, q.of(r)));
+  if (c.recording.hold_out.used) {
+    out["held_out"]["raw_energies"] = per_column(columns, r.standing.held_out.raw);
+    out["held_out"]["own_energies"] = per_column(columns, r.standing.held_out.certainty.own);
+  }
   Json replicates = Json::array();
   for (const Energies& e : r.runs.replicate_energies) replicates.push_back(per_column(columns, e));
-  return {{"name", r.model},
-          {"rank", r.standing.rank > 0 ? Json(r.standing.rank) : Json()},
-          {"score", r.standing.score},
-          {"score_se", r.standing.score_se},
-          {"score_ci", {r.standing.certainty.lower, r.standing.certainty.upper}},
-          {"lead_ci", {r.standing.certainty.lead_lower, r.standing.certainty.lead_upper}},
-          {"group", r.standing.certainty.group > 0 ? Json(r.standing.certainty.group) : Json()},
-          {"set_p", r.standing.certainty.set_p},
-          {"gof_p", r.standing.certainty.goodness_p},
-          {"own_energies", per_column(columns, r.standing.certainty.own)},
-          {"raw_energies", per_column(columns, r.runs.raw_energies)},
-          {"raw_energies_se", per_column(columns, r.runs.raw_se)},
-          {"energies", per_column(columns, r.standing.energies)},
-          {"half_step_energies", per_column(columns, r.runs.half_step_energies)},
-          {"replicate_energies", std::move(replicates)},
-          {"parameters", parameters(r.parameters)},
-          {"n_parameters", names(r.parameters, [](const ParameterResult& p) { return p.fitted; }).size()},
-          {"at_bounds", names(r.parameters, [](const ParameterResult& p) { return p.at_bound; })},
-          {"options", r.options},
-          {"summary", r.summary},
-          {"citation", r.citation},
-          {"mean_ratio", per_column(columns, r.runs.mean_ratio)},
-          {"sd_ratio", per_column(columns, r.runs.sd_ratio)},
-          {"outside_fraction", per_column(columns, r.runs.outside_fraction)},
-          {"samples", samples(columns, r.runs.distributions)},
-          {"extent", r.likeness.extent},
-          {"spacing", r.likeness.spacing},
-          {"speed", r.likeness.speed},
-          {"evaluations", r.search.evaluations},
-          {"simulations", r.search.simulations},
-          {"failed_simulations", r.search.failed_simulations},
-          {"failed_final", r.runs.failed_final},
-          {"stop_reason", r.search.stop_reason},
-          {"n_sub", r.runs.steps},
-          {"map", r.runs.map},
-          {"steps_settled", r.runs.steps_settled},
-          {"infeasible_avoidance", r.runs.infeasible_avoidance},
-          {"convergence", convergence(r.search.convergence)}};
+  out["replicate_energies"] = std::move(replicates);
+  out["parameters"] = parameters(r.parameters);
+  out["at_bounds"] = names(r.parameters, [](const ParameterResult& p) { return p.at_bound; });
+  out["options"] = r.options;
+  out["summary"] = r.summary;
+  out["citation"] = r.citation;
+  out["samples"] = samples(columns, r.runs.distributions);
+  out["convergence"] = convergence(r.search.convergence);
+  if (r.posterior.simulations > 0) out["posterior"] = posterior(r.posterior);
+  return out;
 }
 
 // Settings are TOML values; strings, numbers and lists of them are JSON as well.
@@ -201,9 +189,7 @@ Json config(const std::vector<std::pair<std::string, std::string>>& settings) {
 std::string to_json(const Comparison& c) {
   Json models = Json::array();
   for (const ModelFit& r : c.models) {
-    models.push_back(model(c.recording.columns, r));
-    if (c.recording.hold_out.used) models.back()["held_out"] = held_out(c.recording.columns, r);
-    if (r.posterior.simulations > 0) models.back()["posterior"] = posterior(r.posterior);
+    models.push_back(model(c, r));
     add_skill(models.back(), r, c);
   }
   Json full = {{"schema", "swarmfit-results/1"},

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "libtrack/file.h"
+#include "reports/comparison/quantities.h"
 #include "reports/comparison/words.h"
 #include "reports/write/number.h"
 #include "reports/write/text_table.h"
@@ -61,32 +62,23 @@ PaperTable ranking(const Comparison& c) {
       "ranking",
       "Models by entropy-weighted score E (higher is better), with its 95 % interval over recordings as long as this one, the group "
       "(models with the same letter cannot be told apart; model confidence set, 95 %), the goodness-of-fit p, and the skill. ",
-      {"model", "rank", "score", "95 %", "group", "fit p", "skill"},
+      {"model"},
       {}};
+  const auto columns = ranking_columns(c, Reader::page);
+  for (const Quantity* q : columns) t.head.emplace_back(q->head);
   if (const std::string skill = what_skill_means(c); !skill.empty()) t.caption += "Skill: " + skill + ' ';
-  if (c.recording.hold_out.used) {
-    t.caption += in_print(what_held_out_means(c)) + ' ';
-    t.head.insert(t.head.end(), {"held out", "gap"});
-  }
+  if (c.recording.hold_out.used) t.caption += in_print(what_held_out_means(c)) + ' ';
   t.caption += origin(c);
-  t.head.emplace_back("candidates");
   for (const ModelFit& r : c.models) {
-    Row row = {r.model,
-               rank_text(r.standing.rank),
-               in_print(fixed(r.standing.score, 3)),
-               in_print(score_interval(r)),
-               group_letter(r),
-               fixed(r.standing.certainty.goodness_p, 2),
-               in_print(with_error(r.likeness.skill.value, r.likeness.skill.se, 2))};
-    if (c.recording.hold_out.used)
-      row.insert(row.end(), {in_print(held_out_score(r)), in_print(fixed(r.standing.score - r.standing.held_out.score, 3))});
-    row.push_back(counted(r.search.evaluations));
+    Row row = {r.model};
+    for (const Quantity* q : columns) row.push_back(in_print(q->print(r, Reader::page)));
     t.rows.push_back(std::move(row));
   }
-  if (std::isfinite(c.recording.skill.walker.value)) {
-    t.rows.push_back({std::string(kWalk), kUndefined, kUndefined, kUndefined, "", kUndefined});
-    t.rows.back().push_back(in_print(with_error(c.recording.skill.walker.value, c.recording.skill.walker.se, 2)));
-    t.rows.back().resize(t.head.size(), kUndefined);
+  const Estimate& walker = c.recording.skill.walker;
+  if (std::isfinite(walker.value)) {
+    Row row = {std::string(kWalk)};
+    for (const Quantity* q : columns) row.push_back(q->key == "skill" ? in_print(with_error(walker.value, walker.se, 2)) : kUndefined);
+    t.rows.push_back(std::move(row));
   }
   return t;
 }

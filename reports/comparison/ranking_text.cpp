@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "reports/comparison/quantities.h"
 #include "reports/comparison/words.h"
 #include "reports/draw/sparkline.h"
 #include "reports/write/number.h"
@@ -25,27 +26,33 @@ std::string data_line(const DataFacts& d) {
                      brief(d.dt), brief(d.individuals_per_frame, 3));
 }
 
-std::string rank_and_group(const ModelFit& r) {
-  return r.standing.rank > 0 ? fmt::format("{} {}", r.standing.rank, group_letter(r)) : kUndefined;
-}
-
 Paint paint_of(const ModelFit& r) { return r.standing.rank == 1 ? Paint::good : Paint::plain; }
 
 TextTable ranking_table(const Comparison& c, TextStyle style) {
-  std::vector<std::string> head = {"rank", "model", "score", "95 %", "fit p", "skill"};
-  if (c.recording.hold_out.used) head.insert(head.end(), {"held out", "gap"});
-  std::vector<Align> align(head.size(), Align::right);
+  const auto columns = ranking_columns(c, Reader::terminal);
+  const auto row = [](const std::string& first, const std::string& model, const auto& rest) {
+    std::vector<std::string> cells = {first, model};
+    for (std::size_t k = 1; k < rest.size(); ++k) cells.push_back(rest[k]);
+    return cells;
+  };
+  const auto cells_of = [&](auto text) {
+    std::vector<std::string> out;
+    for (const Quantity* q : columns) out.push_back(text(*q));
+    return out;
+  };
+  std::vector<Align> align(columns.size() + 1, Align::right);
   align[1] = Align::left;
   TextTable table(align, style);
-  table.row(head, Paint::bold);
+  const auto heads = cells_of([](const Quantity& q) { return std::string(q.head); });
+  table.row(row(heads.front(), "model", heads), Paint::bold);
   for (const ModelFit& r : c.models) {
-    std::vector<std::string> cells = {rank_and_group(r), r.model + (at_bounds(r).empty() ? "" : " *"), fixed(r.standing.score, 3),
-                                      score_interval(r), fixed(r.standing.certainty.goodness_p, 2),    fixed(r.likeness.skill.value, 2)};
-    if (c.recording.hold_out.used) cells.insert(cells.end(), {held_out_score(r), fixed(r.standing.score - r.standing.held_out.score, 3)});
-    table.row(cells, paint_of(r));
+    const auto cells = cells_of([&](const Quantity& q) { return q.print(r, Reader::terminal); });
+    table.row(row(cells.front(), r.model + (at_bounds(r).empty() ? "" : " *"), cells), paint_of(r));
   }
-  if (std::isfinite(c.recording.skill.walker.value))
-    table.row({"", std::string(kWalk), "", "", "", fixed(c.recording.skill.walker.value, 2)}, Paint::dim);
+  const Estimate& walker = c.recording.skill.walker;
+  if (std::isfinite(walker.value))
+    table.row(row("", std::string(kWalk), cells_of([&](const Quantity& q) { return q.key == "skill" ? fixed(walker.value, 2) : ""; })),
+              Paint::dim);
   return table;
 }
 

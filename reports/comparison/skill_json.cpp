@@ -85,11 +85,7 @@ void add_skill(Json& top, const Comparison& c) {
 }
 
 void add_skill(Json& model, const ModelFit& r, const Comparison& c) {
-  model["skill"] = r.likeness.skill.value;
-  model["skill_se"] = r.likeness.skill.se;
   model["skill_ci"] = {r.likeness.skill.value - 1.96 * r.likeness.skill.se, r.likeness.skill.value + 1.96 * r.likeness.skill.se};
-  model["total_variation"] = per_column(c, r.likeness.total_variation);
-  model["wasserstein"] = per_column(c, r.likeness.wasserstein);
   model["refuted_by"] = refuted_by(r, c.recording.data.unit);
   model["observables"] = observables(c.recording.panel, r.likeness.panel);
   model["vacf"] = curve(r.likeness.vacf);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/comparison/tables.h"
 
+#include "reports/comparison/quantities.h"
 #include "reports/comparison/skill_tables.h"
 #include "reports/comparison/words.h"
 #include "reports/write/number.h"
@@ -44,63 +45,63 @@ Csv with_header(std::initializer_list<std::string_view> names) {
 
 std::string rank_text(int rank) { return rank > 0 ? std::to_string(rank) : std::string(); }
 
+// "held_out.lead_ci" is in two columns, held_out_lead_lower and held_out_lead_upper.
+std::vector<std::string> table_keys(const Quantity& q, const Value& value) {
+  std::string key(q.key);
+  std::replace(key.begin(), key.end(), '.', '_');
+  if (!std::holds_alternative<Interval>(value)) return {key};
+  key.resize(key.size() - std::string_view("_ci").size());
+  return {key + "_lower", key + "_upper"};
+}
+
+void add(Csv& csv, const Value& value) {
+  std::visit(
+      [&](const auto& v) {
+        using T = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<T, Interval>)
+          csv.field(v.first).field(v.second);
+        else if constexpr (std::is_same_v<T, std::optional<int>>)
+          csv.field(v ? std::to_string(*v) : std::string());
+        else if constexpr (std::is_same_v<T, bool>)
+          csv.field(v ? "true" : "false");
+        else
+          csv.field(v);
+      },
+      value);
+}
+
+// Held-out columns stand there where nothing is held out, too, so that tables of several comparisons can be put together.
 std::string ranking(const Comparison& c) {
-  Csv csv = with_header({"rank",
-                         "model",
-                         "score",
-                         "score_se",
-                         "score_lower",
-                         "score_upper",
-                         "lead_lower",
-                         "lead_upper",
-                         "group",
-                         "set_p",
-                         "gof_p",
-                         "held_out_score",
-                         "held_out_lead_lower",
-                         "held_out_lead_upper",
-                         "held_out_group",
-                         "evaluations",
-                         "simulations",
-                         "failed_simulations",
-                         "failed_final",
-                         "n_sub",
-                         "infeasible_avoidance",
-                         "stop_reason"});
+  Csv csv;
+  for (const Quantity& q : quantities()) {
+    for (const std::string& key : table_keys(q, q.of(ModelFit{}))) csv.field(key);
+    if (&q == &quantities().front()) csv.field("model");
+  }
+  csv.end();
   for (const ModelFit& r : c.models) {
-    csv.field(rank_text(r.standing.rank)).field(r.model).field(r.standing.score).field(r.standing.score_se);
-    csv.field(r.standing.certainty.lower)
-        .field(r.standing.certainty.upper)
-        .field(r.standing.certainty.lead_lower)
-        .field(r.standing.certainty.lead_upper)
-        .field(rank_text(r.standing.certainty.group))
-        .field(r.standing.certainty.set_p);
-    csv.field(r.standing.certainty.goodness_p).field(r.standing.held_out.score);
-    csv.field(r.standing.held_out.certainty.lead_lower)
-        .field(r.standing.held_out.certainty.lead_upper)
-        .field(rank_text(r.standing.held_out.certainty.group))
-        .field(r.search.evaluations)
-        .field(r.search.simulations);
-    csv.field(r.search.failed_simulations).field(r.runs.failed_final).field(std::int64_t{r.runs.steps}).field(r.runs.infeasible_avoidance);
-    csv.field(r.search.stop_reason).end();
+    for (const Quantity& q : quantities()) {
+      if (known(q, c))
+        add(csv, q.of(r));
+      else
+        for (std::size_t k = table_keys(q, q.of(r)).size(); k > 0; --k) csv.field("");
+      if (&q == &quantities().front()) csv.field(r.model);
+    }
+    csv.end();
   }
   return csv.take();
 }
 
 std::string energies(const Comparison& c) {
-  Csv csv =
-      with_header({"model", "metric", "raw", "raw_se", "own", "normalised", "half_step", "mean_ratio", "sd_ratio", "outside_fraction"});
-  for (const ModelFit& r : c.models) {
+  Csv csv;
+  csv.fields({"model", "metric"});
+  for (const ColumnQuantity& q : column_quantities()) csv.field(q.table);
+  csv.end();
+  for (const ModelFit& r : c.models)
     for (std::size_t m = 0; m < c.recording.columns.size(); ++m) {
-      csv.field(r.model)
-          .field(c.recording.columns[m].key())
-          .field(r.runs.raw_energies[m])
-          .field(r.runs.raw_se[m])
-          .field(r.standing.certainty.own[m])
-          .field(r.standing.energies[m]);
-      csv.field(r.runs.half_step_energies[m]).field(r.runs.mean_ratio[m]).field(r.runs.sd_ratio[m]).field(r.runs.outside_fraction[m]).end();
+      csv.field(r.model).field(c.recording.columns[m].key());
+      for (const ColumnQuantity& q : column_quantities()) csv.field(q.of(r)[m]);
+      csv.end();
     }
-  }
   return csv.take();
 }
 
