@@ -7,6 +7,7 @@
 
 #include "fit/model_fit/race.h"
 #include "libeval/energy_score.h"
+#include "libeval/false_discovery.h"
 
 namespace swarmfit {
 namespace {
@@ -212,6 +213,10 @@ std::vector<Certainty> certainties(const std::vector<Scored>& models, const Laws
     std::tie(c.lower, c.upper) = interval(all.scores(column), all.draws.col(column));
     std::tie(c.lead_lower, c.lead_upper) = interval(all.scores(0) - all.scores(column), all.draws.col(0) - all.draws.col(column));
   }
+  std::vector<double> fits;
+  for (const Certainty& c : out) fits.push_back(c.goodness_p);
+  const auto adjusted = adjusted_p(fits);
+  for (std::size_t m = 0; m < out.size(); ++m) out[m].goodness_q = adjusted[m];
   return out;
 }
 

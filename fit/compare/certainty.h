@@ -48,6 +48,7 @@ Band band_of(const Law& law, const Target& target);
 //   parameters by some of its scatter, and would those of its own recordings; where it misses by more, p is small even for a model that
 //   made the recording (docs/certainty.md). Recordings of a model without chance hardly differ: where they scatter by less than kUnseen of
 //   the worst energy, the rest of that does not count against the model.
+// - goodness_q: the same, adjusted for as many tests as there are models.
 // - group, set_p: by the model confidence set at 95 %.
 // - lower, upper, lead_lower, lead_upper: basic bootstrap intervals, an eighth wider since the law is fitted.
 // - own: mean over its own recordings.

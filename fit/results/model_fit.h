@@ -83,6 +83,7 @@ struct Sensitivity {
 // How sure the place of a model is, from recordings made by the fitted models (fit/compare/certainty.h).
 struct Certainty {
   double goodness_p = NAN;                    // share of recordings made by this fit that are as far from it as the recording is
+  double goodness_q = NAN;                    // the same, adjusted for the number of models (libeval/false_discovery.h)
   int group = 0;                              // models of one group cannot be told apart, the best are group 1; 0: cannot be told
   double set_p = NAN;                         // p at which the model leaves the model confidence set of all
   double lower = NAN, upper = NAN;            // of the score, 95 %, over recordings as long as this one

@@ -46,7 +46,7 @@ std::string refuted(const ModelFit& r) {
   return facts.empty() ? std::string() : fmt::format("What anybody sees refutes it: {}.", enumerate(facts));
 }
 
-bool explains(const ModelFit& r) { return r.standing.certainty.goodness_p > kAlpha; }
+bool explains(const ModelFit& r) { return r.standing.certainty.goodness_q > kAlpha; }
 
 // Is the recording one that the model could have made?
 std::string goodness(const Comparison& c, const ModelFit& r) {
@@ -57,11 +57,10 @@ std::string goodness(const Comparison& c, const ModelFit& r) {
                      p_text(p, c.ranking.laws));
 }
 
-// What follows the sentence on rank: may be true of every model.
-std::string none_explains(const std::vector<const ModelFit*>& scored) {
-  const auto fails = [](const ModelFit* r) { return std::isfinite(r->standing.certainty.goodness_p) && !explains(*r); };
-  if (!std::all_of(scored.begin(), scored.end(), fails)) return {};
-  return scored.size() == 1 ? " This fit does not explain the recording." : " None of these fits explains the recording.";
+// May be true of the best model, too.
+bool none_explains(const std::vector<const ModelFit*>& scored) {
+  return std::all_of(scored.begin(), scored.end(),
+                     [](const ModelFit* r) { return std::isfinite(r->standing.certainty.goodness_q) && !explains(*r); });
 }
 
 // Who is first where nobody was fitted, if that is another.
@@ -81,7 +80,9 @@ std::string join(const std::vector<std::string>& sentences) {
 }
 
 Headline single(const Comparison& c, const ModelFit& only) {
-  return {Verdict::single, fmt::format("{} is the only model here, so there is nothing to rank.{}", only.model, none_explains({&only})),
+  return {Verdict::single,
+          fmt::format("{} is the only model here, so there is nothing to rank.{}", only.model,
+                      none_explains({&only}) ? " It does not explain the recording." : ""),
           join({"A score compares models with each other; alone, judge the fit by its raw energies and distributions.", goodness(c, only),
                 refuted(only), main_misfit(c, only)})};
 }
@@ -89,7 +90,10 @@ Headline single(const Comparison& c, const ModelFit& only) {
 Headline tied(const Comparison& c, const std::vector<std::string>& together, const std::vector<const ModelFit*>& scored) {
   const ModelFit &first = *scored[0], &second = *scored[1];
   return {
-      Verdict::tie, fmt::format("{} cannot be told apart with this recording and budget.{}", enumerate(together), none_explains(scored)),
+      Verdict::tie,
+      none_explains(scored)
+          ? fmt::format("None of these models explains the recording. {} come closest and cannot be told apart.", enumerate(together))
+          : fmt::format("{} cannot be told apart with this recording and budget.", enumerate(together)),
       join({fmt::format("{} has the highest score, but leads {} by only {}, no more than chance does ({}).", first.model, second.model,
                         fixed(first.standing.score - second.standing.score, 3), p_text(second.standing.certainty.set_p, c.ranking.laws)),
             goodness(c, first), refuted(first), first_elsewhere(scored), main_misfit(c, first)})};
@@ -98,7 +102,10 @@ Headline tied(const Comparison& c, const std::vector<std::string>& together, con
 Headline ranked(const Comparison& c, const std::vector<const ModelFit*>& scored) {
   const ModelFit &first = *scored[0], &second = *scored[1];
   const bool known = first.standing.certainty.group > 0;
-  return {known ? Verdict::clear : Verdict::open, fmt::format("{} moves most like the recording.{}", first.model, none_explains(scored)),
+  return {known ? Verdict::clear : Verdict::open,
+          fmt::format(none_explains(scored) ? "None of these models explains the recording. {} comes closest."
+                                            : "{} moves most like the recording.",
+                      first.model),
           join({fmt::format("It leads {} by {} in score ({}).", second.model, fixed(first.standing.score - second.standing.score, 3),
                             known ? p_text(second.standing.certainty.set_p, c.ranking.laws) : "it cannot be told how sure that is"),
                 goodness(c, first), refuted(first), first_elsewhere(scored), main_misfit(c, first)})};
@@ -161,8 +168,9 @@ std::string what_ranks_mean(const Comparison& c) {
   if (c.ranking.laws == 0) return {};
   return fmt::format(
       "{}95 %: of the score, over recordings as long as this one. fit p: the share of recordings made by the model, of {}, that lie as far "
-      "from it as this one.",
-      c.models.size() > 1 ? "Models with the same letter cannot be told apart (model confidence set, 95 %). " : "", c.ranking.laws);
+      "from it as this one; {}fitted: how many parameters were.",
+      c.models.size() > 1 ? "Models with the same letter cannot be told apart (model confidence set, 95 %). " : "", c.ranking.laws,
+      c.models.size() > 1 ? "a model explains the recording where that, adjusted for the number of models, is above 0.05. " : "");
 }
 
 std::string what_skill_means(const Comparison& c) {

@@ -35,11 +35,11 @@ Html pairs(const Power& p) {
   t.head.emplace_back("more of it");
   for (std::size_t k = 0; k < p.pairs.size(); ++k) t.rows[k].push_back(lacking(p.pairs[k].factor, seconds));
   Html out = on_screen(t).html();
-  out +=
-      element("p", "note",
-              markup("Recording needed: how many times as long, or with how many times as many animals, for the maker to lead in 95 of 100 "
-                     "recordings, if leads keep their mean and scatter as one over the root of the length. Never: the maker does not lead "
-                     "on average, so that more of the same may not help."));
+  out += element(
+      "p", "note",
+      markup("Needed for the order: how many times as long, or with how many times as many animals, for the maker to lead in 95 of 100 "
+             "recordings, if leads keep their mean and scatter as one over the root of the length. Never: the maker does not lead "
+             "on average, so that more of the same may not help."));
   return out;
 }
 

@@ -43,15 +43,18 @@ TEST(Headline, ModelsOfTheBestGroupAreATie) {
 
 TEST(Headline, SaysThatNoModelExplainsTheRecording) {
   Comparison c = in_groups({1, 2});
-  c.models[0].standing.certainty.goodness_p = 0.01;
+  c.models[0].standing.certainty.goodness_p = c.models[0].standing.certainty.goodness_q = 0.01;
   EXPECT_EQ(headline(c).sentence, "a moves most like the recording.");  // b could have made it
   EXPECT_THAT(headline(c).detail, HasSubstr("The recording lies farther from a than recordings made by it (p ≤ 0.01)."));
-  c.models[1].standing.certainty.goodness_p = 0.05;
-  EXPECT_EQ(headline(c).sentence, "a moves most like the recording. None of these fits explains the recording.");
-  c.models[1].standing.certainty.goodness_p = NAN;
+  c.models[1].standing.certainty.goodness_q = 0.05;
+  EXPECT_EQ(headline(c).sentence, "None of these models explains the recording. a comes closest.");
+  c.models[1].standing.certainty.group = 1;
+  EXPECT_EQ(headline(c).sentence, "None of these models explains the recording. a and b come closest and cannot be told apart.");
+  c.models[1].standing.certainty.group = 2;
+  c.models[1].standing.certainty.goodness_q = NAN;
   EXPECT_EQ(headline(c).sentence, "a moves most like the recording.");
   c.models.pop_back();
-  EXPECT_THAT(headline(c).sentence, HasSubstr("This fit does not explain the recording."));
+  EXPECT_THAT(headline(c).sentence, HasSubstr("It does not explain the recording."));
 }
 
 TEST(Headline, ARandomWalkIsAnAnswer) {
