@@ -63,8 +63,8 @@ TEST(Behaviour, OfALineThatMoves) {
   // Variance 1/3 on each axis at t = 0.
   const double volume = 4.0 / 3 * std::numbers::pi * 8 * std::pow(1.0 / 3, 1.5);
   EXPECT_NEAR(observed("density", w, {{"until", {0}}}), 6 / volume, 1e-12);
-  EXPECT_NEAR(observed("arrived", w, {{"lower", {10, -1, -1}}, {"upper", {12.5, 1, 1}}}), 1.0 / 6, 1e-12)
-      << "the one behind; others pass aside";
+  EXPECT_NEAR(observed("arrived", w, {{"lower", {10, -1, -1}}, {"upper", {12.5, 1, 1}}}), 1.0 / 3, 1e-12)
+      << "those on the axis; others pass aside";
   EXPECT_NEAR(observed("present", w, {{"lower", {-9, -9, -9}}, {"upper", {9, 9, 0}}, {"until", {0}}}), 5.0 / 6, 1e-12);
   EXPECT_EQ(observed("trespass", w, {}), 4) << "the one behind, as long as 3 t < 1 + t / 4";
 }
