@@ -82,7 +82,7 @@ std::vector<Setting> inputs() {  // NOLINT(readability-function-size): a table
        .use =
            [](Arguments& a, const Value& v) {
              if (v.all.has("model")) throw InputError("given beside --model; expected one of them, not both");
-             a.compare.models = preset_models(v.text());
+             a.compare.models = preset_models(v.text(), v.all.text("protocol") == "ren2016");
            }},
       {.name = "plant",
        .in = kRecover,
