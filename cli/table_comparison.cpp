@@ -107,7 +107,7 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
   };
 }
 
-std::vector<Setting> conditions() {
+std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "presence",
        .in = kFits,
