@@ -63,14 +63,14 @@ TEST(Gallery, ShowsEveryExhibit) {
   ModelCard other = card();
   other.name = "boids<";
   const std::string page = gallery_html({{card(), "swarmfit simulate vicsek", film}, {other, "swarmfit simulate boids", film}}, "1.2.3");
-  EXPECT_THAT(page, HasSubstr("<h1>2 models in motion</h1>"));
+  EXPECT_THAT(page, HasSubstr("<h1>2 scenes in motion</h1>"));
   for (const char* said :
        {"<h2 id=\"vicsek-title\">vicsek</h2>", "boids&lt;</h2>", "<a href=\"#vicsek\">", "swarmfit simulate boids", "Vicsek et al. 1995"})
     EXPECT_THAT(page, HasSubstr(said));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
 }
 
-TEST(Gallery, OfNothingIsAPageStill) { EXPECT_THAT(gallery_html({}, "1.2.3"), HasSubstr("0 models in motion")); }
+TEST(Gallery, OfNothingIsAPageStill) { EXPECT_THAT(gallery_html({}, "1.2.3"), HasSubstr("0 scenes in motion")); }
 
 }  // namespace
 }  // namespace swarmfit
