@@ -10,9 +10,11 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "libswarm/bridge.h"
 #include "libswarm/model.h"
 #include "libswarm/simulate.h"
 #include "libswarm/stimuli.h"
@@ -70,6 +72,7 @@ struct Scenario {
   Bounds bounds{};
   std::vector<Obstacle> obstacles = {};
   std::vector<Stimulus> stimuli = {};
+  std::optional<BridgeShape> bridge = {};  // with arrivals of its own
   std::vector<Schedule> schedules = {};
   std::vector<Group> groups = {Group{}};
   std::vector<Expectation> expectations = {};

@@ -5,6 +5,8 @@
 #include <map>
 
 #include "libswarm/bridge.h"
+#include "libswarm/scenario/read.h"
+#include "libswarm/scenario/scenario.h"
 #include "tests/swarm/lane.h"
 
 namespace swarmfit {
@@ -133,6 +135,22 @@ TEST(Bridge, ItsSidesHoldAntsBack) {
   EXPECT_EQ(traffic.lane.state.pos(0, 0), 50);
   EXPECT_EQ(traffic.lane.state.pos(0, 1), 0.25);
   EXPECT_EQ(traffic.lane.state.pos(2, 1), 4.75);
+}
+
+TEST(Bridge, IsReadFromAScenario) {
+  const std::string text =
+      "title = 'a bridge'\nmodel = 'ant_traffic[bridge=wide]'\nagents = 1\n"
+      "[bridge]\nlength = 40\nwidth = 6\nmean_interval = 0.5\nladen = 0.2\n";
+  const Scenario scene = read_scenario("bridge.toml", text);
+  EXPECT_EQ(scene.dims, 2);
+  const World world = world_of(scene);
+  ASSERT_NE(world.part<Bridge>(), nullptr);
+  const BridgeShape& shape = world.part<Bridge>()->shape();
+  EXPECT_EQ(shape.length, 40);
+  EXPECT_EQ(shape.width, 6);
+  EXPECT_EQ(shape.entry_y, 3);  // the middle
+  EXPECT_EQ(shape.mean_interval, 0.5);
+  EXPECT_EQ(shape.laden, 0.2);
 }
 
 // ---- traffic ----------------------------------------------------------------------------------------------------------------------
