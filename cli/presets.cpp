@@ -30,7 +30,7 @@ const std::vector<Preset>& presets() {
   return table;
 }
 
-constexpr const char* kAll = "all";
+constexpr const char* kEveryModel = "all";
 
 // What any of them names, and all other models that move in two and in three dimensions.
 std::vector<std::string> all_models() {
@@ -50,7 +50,7 @@ std::vector<std::string> all_models() {
 std::vector<std::string_view> preset_names() {
   std::vector<std::string_view> names;
   for (const Preset& preset : presets()) names.emplace_back(preset.name);
-  names.emplace_back(kAll);
+  names.emplace_back(kEveryModel);
   return names;
 }
 

