@@ -17,6 +17,7 @@
 #include "cli/commands.h"
 #include "cli/config_file.h"
 #include "cli/interrupt.h"
+#include "cli/presets.h"
 #include "cli/progress.h"
 #include "cli/recordings.h"
 #include "cli/style.h"
@@ -152,7 +153,7 @@ std::string command_of_run(const std::string& dir) {
 int compare(const Arguments& a) {
   if (a.compare.models.size() < 2)
     throw InputError(
-        "compare: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all (or swarmfit fit for one model)");
+        fmt::format("compare: fewer than two models; expected -m A,B,... or --preset {} (or swarmfit fit for one model)", preset_list()));
   return run_fit(a);
 }
 

@@ -47,25 +47,6 @@ std::vector<ModelChoice> parse_models(const std::vector<std::string>& texts) {
   return choices;
 }
 
-std::vector<ModelChoice> preset_models(const std::string& preset, bool as_published) {
-  // As printed, kicks belong to the time step; and the paper knows no null model.
-  const std::string kicks = as_published ? ",noise_scaling=literal]" : "]";
-  const std::vector<std::string> noise = {"bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian" + kicks, "bswarm[noise=white" + kicks},
-                                 ablation = {"bswarm", "bswarm[noise=none]", "bswarm[interaction=off]"},
-                                 published = {"bswarm", "noise_aware", "boids", "rvo", "brownian"};
-  if (preset == "noise") return parse_models(noise);
-  if (preset == "ablation") return parse_models(ablation);
-  std::vector<std::string> compared = published;
-  if (!as_published) compared.emplace_back("langevin");
-  if (preset == "models") return parse_models(compared);
-  std::vector<std::string> all = noise;
-  all.insert(all.end(), ablation.begin() + 1, ablation.end());
-  all.insert(all.end(), compared.begin() + 1, compared.end());
-  for (const auto& spec : models())
-    if (std::find(all.begin(), all.end(), spec.name) == all.end()) all.emplace_back(spec.name);
-  return parse_models(all);
-}
-
 std::map<std::string, double> parse_assignments(const std::vector<std::string>& texts) {
   std::map<std::string, double> out;
   for (const auto& text : texts) {

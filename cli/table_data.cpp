@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Settings: what a command works on, and how that is read.
 #include "cli/parse.h"
+#include "cli/presets.h"
 #include "cli/tables.h"
 #include "libtrack/error.h"
 #include "libtrack/read/read.h"
@@ -79,9 +80,8 @@ std::vector<Setting> inputs() {  // NOLINT(readability-function-size): a table
        .use = [](Arguments& a, const Value& v) { a.compare.models = parse_models(v.words); }},
       {.name = "preset",
        .in = kCompare | kPower | kRecover,
-       .help = "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: bswarm, noise_aware, "
-               "boids, rvo, brownian and the null model langevin; all: these and every other model",
-       .allowed = one_of({"noise", "ablation", "models", "all"}),
+       .help = preset_help(),
+       .allowed = one_of(preset_names()),
        .travels = false,  // as the models it stands for
        .use =
            [](Arguments& a, const Value& v) {
