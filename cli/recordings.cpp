@@ -24,9 +24,10 @@ Tracks read(const ReadOptions& options, const std::string& path) {
 
 }  // namespace
 
-Tracks load(const ReadOptions& options, const std::string& path, const std::string& kind) {
-  const Tracks tracks = read(options, path);
-  return kind.empty() ? tracks : of_kind(tracks, kind_named(tracks, kind));
+Tracks load(const Arguments& how, const std::string& path) {
+  Tracks tracks = read(how.read, path);
+  if (!how.kind.empty()) tracks = of_kind(tracks, kind_named(tracks, how.kind));
+  return clean(std::move(tracks), how.clean);
 }
 
 }  // namespace swarmfit::cli
