@@ -15,7 +15,6 @@
 
 #include "cli/cluster.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/program.h"
 #include "cli/setting.h"
 #include "libtrack/error.h"
@@ -61,7 +60,6 @@ int run_line(int argc, char** argv) {
   int code = 0;
   if (arguments) {
     arguments->line = command_line(argc, argv);
-    install_interrupt_handler();
     code = run(*arguments);
   }
   require_written_output();

@@ -229,6 +229,8 @@ class Assembly {
   // Times without an interval of their own: one single moment, or irregular ones.
   void use_rate(const std::vector<double>& time, const FrameClock& clock, double stated) {
     double worst = 0;
+    if (!countable(time, stated) || !(std::abs(table_.t0) / stated <= kMostFrames))
+      fail(fmt::format("{}, and frames of {:.6g} s cannot be counted up to it; expected another rate", clock.problem, stated));
     for (const double t : time) {
       frame_.push_back(std::llround((t - table_.t0) / stated));
       worst = std::max(worst, std::abs(t - table_.t0 - static_cast<double>(frame_.back()) * stated));

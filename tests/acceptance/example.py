@@ -23,7 +23,7 @@ def compiled(build, source, out, like):
     words = shlex.split(next(c["command"] for c in commands if c["file"] == str(ROOT / like)))
     words = [str(source) if w.endswith("/" + like) else w for w in words]
     words[words.index("-o") + 1] = str(out)
-    words.insert(words.index("-o"), f"-I{source.parents[len(pathlib.Path(like).parts) - 1]}")
+    words.insert(next(i for i, w in enumerate(words) if w.startswith("-I")), f"-I{source.parents[len(pathlib.Path(like).parts) - 1]}")
     subprocess.run(words, cwd=build, check=True)
 
 
