@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -93,6 +94,7 @@ int complain(const std::string& what, int code) {
 int main(int argc, char** argv) {
   using swarmfit::cli::complain;
   swarmfit::cli::take_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a failed write, and said to be one
   swarmfit::keep_freed_memory();
   swarmfit::cli::cluster();
   try {

@@ -52,6 +52,13 @@ bool exists_and_is_no_regular_file(const std::string& path) {
   return ::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode);
 }
 
+// A new name in a folder survives a power cut only when the folder is on the disk. Some file systems cannot do that, which is no failure.
+void sync_folder_of(const std::string& path) {
+  const auto parent = std::filesystem::path(path).parent_path();
+  const Descriptor folder(::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder) ::fsync(folder.get());
+}
+
 void write_directly(const std::string& path, std::string_view bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!file || !write_all(file.get(), bytes) || !file.close()) throw RunError(because(path, "cannot be written"));
@@ -100,12 +107,17 @@ std::string read_standard_input() { return all_bytes("standard input", STDIN_FIL
 
 void write_file_atomically(const std::string& path, std::string_view bytes) {
   if (exists_and_is_no_regular_file(path)) return write_directly(path, bytes);
+  if (std::error_code none; std::filesystem::is_symlink(path, none)) {  // what it points to is written, and the link stays
+    const auto target = std::filesystem::weakly_canonical(path, none);
+    if (!none && !std::filesystem::is_symlink(target, none)) return write_file_atomically(target.string(), bytes);
+  }
+  if (::access(path.c_str(), W_OK) != 0 && errno != ENOENT) throw RunError(because(path, "cannot be written"));
   const std::string temporary = path + '.' + std::to_string(::getpid()) + ".part";
   Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (!file) throw RunError(because(path, "cannot be written"));
   const bool done =
       write_all(file.get(), bytes) && ::fsync(file.get()) == 0 && file.close() && std::rename(temporary.c_str(), path.c_str()) == 0;
-  if (done) return;
+  if (done) return sync_folder_of(path);
   const auto message = because(path, "cannot be written");
   ::unlink(temporary.c_str());
   throw RunError(message);

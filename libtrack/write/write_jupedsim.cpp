@@ -95,7 +95,8 @@ void write_metadata(Database& db, const Tracks& tracks) {
   Database::Insert metadata(db, "INSERT INTO metadata VALUES (?, ?)");
   metadata.row(std::string("version"), std::string("2"));
   metadata.row(std::string("fps"), fmt::format("{}", 1 / meta.dt));
-  const Eigen::Array2d low = tracks.pos().leftCols(2).colwise().minCoeff(), high = tracks.pos().leftCols(2).colwise().maxCoeff();
+  const Eigen::Array2d low = tracks.pos().leftCols(2).colwise().minCoeff().transpose();
+  const Eigen::Array2d high = tracks.pos().leftCols(2).colwise().maxCoeff().transpose();
   metadata.row(std::string("xmin"), fmt::format("{}", low[0]));
   metadata.row(std::string("xmax"), fmt::format("{}", high[0]));
   metadata.row(std::string("ymin"), fmt::format("{}", low[1]));

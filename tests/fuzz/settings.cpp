@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the program reads back from itself, and what people may have changed in it: config.toml, checkpoints, words of settings.
+#include <optional>
+#include <tuple>
+
 #include "cli/config_file.h"
 #include "cli/setting.h"
 #include "fit/store/bytes.h"

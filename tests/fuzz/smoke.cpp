@@ -2,13 +2,15 @@
 // smoke_readers SEEDS MUTATIONS   every seed of every target, each changed so many times: a short walk without libFuzzer, for every build.
 // SEEDS is what make_seeds.py has made. Targets that start a process for every input get a hundredth. Exit code 1 when a target has no
 // seed; a broken one ends the program where it is, and leaves the input in ./crash.
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 
-#include "libtrack/rng.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace {
