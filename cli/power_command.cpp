@@ -28,7 +28,7 @@ int power(const Arguments& a) {
   if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   const Settings& settings = a.config;
-  const Tracks recording = load(a.read, a.recordings.front(), a.kind);
+  const Tracks recording = load(a, a.recordings.front());
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, config_toml("power", settings)}, a.resume);
   Power result;
   try {
