@@ -10,6 +10,7 @@
 
 #include "fit/compare/compare.h"
 #include "fit/study/recovery.h"
+#include "libtrack/clean.h"
 #include "libtrack/read/read.h"
 
 namespace swarmfit::cli {
@@ -41,8 +42,10 @@ struct Arguments {
   std::vector<std::string> recordings;  // paths, "-" or "demo"; of evaluate the real one
   ReadOptions read;                     // how to read them
   std::string kind;                     // of individuals, by name or number; empty: all
+  Cleaning clean;                       // of what was read
   std::string simulated, simulated_columns;
   double smoothing = 0;  // of convert
+  std::string write_as;  // of convert: name of a format; empty: by the ending of `out`
 
   CompareOptions compare;        // of fit, compare, power and recover; its lags, binning and velocity also of evaluate
   bool common_dynamics = false;  // fit what the models have in common once

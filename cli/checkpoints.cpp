@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli/checkpoints.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "cli/cluster.h"
 #include "cli/config_file.h"
@@ -25,6 +30,15 @@ bool is_unfinished(const std::string& dir) {
   }
 }
 
+// Of two runs into one folder the second is refused: until this process ends the folder is its own.
+void hold(const std::string& dir) {
+  static std::set<std::string> held;
+  if (!cluster().first() || !held.insert(std::filesystem::weakly_canonical(dir).string()).second) return;
+  const int folder = open(dir.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);  // closed by the end of the process, which lets go
+  if (folder >= 0 && flock(folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw InputError(dir + ": another run is writing to it; expected a folder of its own, or that one to have ended");
+}
+
 }  // namespace
 
 Checkpoint checkpoint_in(const std::string& dir, const RunIdentity& run, bool resume) {
@@ -40,8 +54,15 @@ Checkpoint checkpoint_in(const std::string& dir, const RunIdentity& run, bool re
     const std::string bytes = cluster().broadcast(go_on && cluster().first() ? read_file(path) : "");
     if (!cluster().first()) return Checkpoint::copy_of(bytes, path, as_begun);
   }
-  if (go_on) return {path, as_begun};
-  return {path, run, [dir, text = run.config] { begin_run(dir, text); }};
+  if (go_on) {
+    hold(dir);
+    return {path, as_begun};
+  }
+  return {path, run, [dir, text = run.config] {
+            make_directory(dir);
+            hold(dir);
+            begin_run(dir, text);
+          }};
 }
 
 void remove_checkpoint(const std::string& dir) {

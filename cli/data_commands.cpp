@@ -29,11 +29,12 @@ namespace {
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
-void write_tracks(const std::string& path, const Tracks& tracks) {
+void write_tracks(const std::string& path, const Tracks& tracks, const std::string& format = "") {
+  const std::string bytes = written_format(format, path).write(tracks);
   if (path == "-")
-    print(to_csv(tracks));
+    print(bytes);
   else
-    write_file_atomically(path, to_csv(tracks));
+    write_file_atomically(path, bytes);
 }
 
 int list(const char* what, const std::vector<ListEntry>& entries, const Common& common) {
@@ -63,7 +64,7 @@ int check(const std::vector<Finding>& all, bool json) {
 }  // namespace
 
 int describe(const Arguments& a) {
-  const Tracks tracks = load(a.read, a.recordings.front(), a.kind);
+  const Tracks tracks = load(a, a.recordings.front());
   const Summary summary = summarise(tracks);
   print(a.common.json ? to_json(tracks.meta(), summary)
                       : describe_text(tracks.meta(), summary, style()) + first_rows_text(tracks, style()));
@@ -72,9 +73,9 @@ int describe(const Arguments& a) {
 }
 
 int convert(const Arguments& a) {
-  Tracks tracks = load(a.read, a.recordings.front(), a.kind);
+  Tracks tracks = load(a, a.recordings.front());
   if (a.smoothing > 0) tracks = smooth(tracks, a.smoothing);
-  write_tracks(a.out, tracks);
+  write_tracks(a.out, tracks, a.write_as);
   return 0;
 }
 

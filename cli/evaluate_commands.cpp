@@ -34,12 +34,12 @@ std::vector<int> chosen_lags(const Tracks& real, const Arguments& a) {
 }  // namespace
 
 int evaluate(const Arguments& a) {
-  ReadOptions simulated = a.read;
-  if (!a.simulated_columns.empty()) simulated.columns = a.simulated_columns;
-  const Tracks real = load(a.read, a.recordings.front(), a.kind);
+  Arguments simulated = a;
+  if (!a.simulated_columns.empty()) simulated.read.columns = a.simulated_columns;
+  const Tracks real = load(a, a.recordings.front());
   MetricOptions options{a.compare.conditions.velocity, a.compare.lags};
   if (options.lags.empty()) options.lags = chosen_lags(real, a);
-  const Tracks other = load(simulated, a.simulated, a.kind);
+  const Tracks other = load(simulated, a.simulated);
   const Evaluation result = swarmfit::evaluate(real, other, a.compare.binning, options);
   std::fputs((a.common.json ? to_json(result) : evaluation_text(result, style())).c_str(), stdout);
   if (a.html.empty()) return 0;

@@ -17,6 +17,7 @@
 #include "cli/commands.h"
 #include "cli/config_file.h"
 #include "cli/interrupt.h"
+#include "cli/presets.h"
 #include "cli/progress.h"
 #include "cli/recordings.h"
 #include "cli/style.h"
@@ -97,7 +98,7 @@ int run_several(const Arguments& a, const CompareOptions& options, const std::st
   std::vector<Tracks> recordings;
   std::vector<std::string> names;
   for (const auto& path : a.recordings) {
-    recordings.push_back(load(a.read, path, a.kind));
+    recordings.push_back(load(a, path));
     lags_for(make_conditions(recordings.back(), options.conditions), options);  // refuses what cannot be fitted
     const auto same = std::count_if(a.recordings.begin(), a.recordings.begin() + static_cast<std::ptrdiff_t>(names.size()),
                                     [&](const std::string& other) { return name_of(other) == name_of(path); });
@@ -129,7 +130,7 @@ int run_fit(const Arguments& a) {
   if (cluster().first()) check_run_directory(dir);
   try {
     if (a.recordings.size() > 1) return run_several(a, options, dir);
-    const Comparison result = run_one(a, options, load(a.read, a.recordings.front(), a.kind), a.recordings.front(), dir);
+    const Comparison result = run_one(a, options, load(a, a.recordings.front()), a.recordings.front(), dir);
     remove_checkpoint(dir);
     std::fputs(a.common.json ? to_json(result).c_str() : ranking_text(result, style()).c_str(), stdout);
     say_where(a, dir);
@@ -152,7 +153,7 @@ std::string command_of_run(const std::string& dir) {
 int compare(const Arguments& a) {
   if (a.compare.models.size() < 2)
     throw InputError(
-        "compare: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all (or swarmfit fit for one model)");
+        fmt::format("compare: fewer than two models; expected -m A,B,... or --preset {} (or swarmfit fit for one model)", preset_list()));
   return run_fit(a);
 }
 

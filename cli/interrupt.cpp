@@ -22,12 +22,14 @@ void on_signal(int number) {
 bool interrupted() { return signalled != 0; }
 bool time_is_up() { return deadline && std::chrono::steady_clock::now() >= *deadline; }
 
-}  // namespace
+struct Handler {
+  Handler() {
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+  }
+};
 
-void install_interrupt_handler() {
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-}
+}  // namespace
 
 void stop_after(double seconds) {
   using Clock = std::chrono::steady_clock;
@@ -35,6 +37,7 @@ void stop_after(double seconds) {
 }
 
 const Executor& executor() {
+  static const Handler handler;
   static const Processes all(cluster(), interrupted, time_is_up);
   return all;
 }

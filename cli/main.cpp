@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -15,7 +16,6 @@
 
 #include "cli/cluster.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/program.h"
 #include "cli/setting.h"
 #include "libtrack/error.h"
@@ -61,7 +61,6 @@ int run_line(int argc, char** argv) {
   int code = 0;
   if (arguments) {
     arguments->line = command_line(argc, argv);
-    install_interrupt_handler();
     code = run(*arguments);
   }
   require_written_output();
@@ -95,6 +94,7 @@ int complain(const std::string& what, int code) {
 int main(int argc, char** argv) {
   using swarmfit::cli::complain;
   swarmfit::cli::take_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a failed write, and said to be one
   swarmfit::keep_freed_memory();
   swarmfit::cli::cluster();
   try {

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/parts.h"
+#include "cli/presets.h"
 #include "cli/progress.h"
 #include "cli/recordings.h"
 #include "cli/style.h"
@@ -22,12 +23,12 @@ int power(const Arguments& a) {
   const PowerOptions options{a.compare, a.seeds};
   if (a.recordings.size() != 1) throw InputError("power: expected one recording");
   if (options.compare.models.size() < 2)
-    throw InputError("power: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
+    throw InputError(fmt::format("power: fewer than two models; expected -m A,B,... or --preset {}", preset_list()));
   const std::string dir = a.out.empty() ? "swarmfit-power" : a.out;
   if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   const Settings& settings = a.config;
-  const Tracks recording = load(a.read, a.recordings.front(), a.kind);
+  const Tracks recording = load(a, a.recordings.front());
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, config_toml("power", settings)}, a.resume);
   Power result;
   try {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/recordings.h"
 
-#include <iostream>
-#include <iterator>
-
 #include "cli/cluster.h"
 #include "fit/experiment/plant.h"
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
+#include "libtrack/standard_input.h"
 #include "libtrack/write/write.h"
 
 namespace swarmfit::cli {
@@ -19,14 +17,15 @@ Tracks read(const ReadOptions& options, const std::string& path) {
   if (path == "demo") return read_tracks_bytes("demo", to_csv(demo_recording()), options);
   if (path != "-") return read_tracks(path, options);
   if (cluster().size() > 1) throw InputError("-: standard input reaches only one of several processes; expected a file that all can read");
-  return read_tracks_bytes("standard input", {std::istreambuf_iterator<char>(std::cin), {}}, options);
+  return read_tracks_bytes("standard input", read_standard_input(), options);
 }
 
 }  // namespace
 
-Tracks load(const ReadOptions& options, const std::string& path, const std::string& kind) {
-  const Tracks tracks = read(options, path);
-  return kind.empty() ? tracks : of_kind(tracks, kind_named(tracks, kind));
+Tracks load(const Arguments& how, const std::string& path) {
+  Tracks tracks = read(how.read, path);
+  if (!how.kind.empty()) tracks = of_kind(tracks, kind_named(tracks, how.kind));
+  return clean(std::move(tracks), how.clean);
 }
 
 }  // namespace swarmfit::cli

@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "libtrack/read/read.h"
+#include "cli/arguments.h"
 
 namespace swarmfit::cli {
 
-// Of a file, "-" or "demo"; of all kinds of individuals if none is named.
-Tracks load(const ReadOptions& options, const std::string& path, const std::string& kind);
+// Of a file, "-" or "demo": read, of one kind of individuals if one is named, and cleaned.
+Tracks load(const Arguments& how, const std::string& path);
 
 }  // namespace swarmfit::cli

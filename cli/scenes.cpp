@@ -35,7 +35,9 @@ Scenario found(const SceneArguments& a) {
   if (find_scenario(text)) return scenario_named(text);
   if (is_file(text)) return read_scenario(text, read_file(text));
   try {
-    return plain_scenario(parse_model(text), a.dims.value_or(3));
+    const ModelChoice model = parse_model(text);
+    const auto& dims = model.spec->dims;
+    return plain_scenario(model, a.dims.value_or(*std::max_element(dims.begin(), dims.end())));
   } catch (const InputError& e) {
     if (text.find('[') != text.npos) throw;
     throw InputError(fmt::format("{}; a scenario: {}; or a file that ends on .toml", e.what(), scenario_names()));

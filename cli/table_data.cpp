@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Settings: what a command works on, and how that is read.
 #include "cli/parse.h"
+#include "cli/presets.h"
 #include "cli/tables.h"
+#include "libtrack/clean.h"
 #include "libtrack/error.h"
 #include "libtrack/read/read.h"
 
@@ -9,7 +11,7 @@ namespace swarmfit::cli {
 namespace {
 
 constexpr Commands kReading = kDescribe | kConvert | kEvaluate | kFits;
-constexpr std::string_view kHeading = "Reading";
+constexpr std::string_view kHeading = "Reading", kCleaning = "Cleaning";
 constexpr int kLongestGap = 100000;                // frames
 constexpr double kSlowest = 1e-9, kFastest = 1e9;  // frames per second
 constexpr double kLargestCode = 1e12;              // that stands for a missing position
@@ -79,14 +81,13 @@ std::vector<Setting> inputs() {  // NOLINT(readability-function-size): a table
        .use = [](Arguments& a, const Value& v) { a.compare.models = parse_models(v.words); }},
       {.name = "preset",
        .in = kCompare | kPower | kRecover,
-       .help = "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: bswarm, noise_aware, "
-               "boids, rvo, brownian and the null model langevin; all: these and every other model",
-       .allowed = one_of({"noise", "ablation", "models", "all"}),
+       .help = preset_help(),
+       .allowed = one_of(preset_names()),
        .travels = false,  // as the models it stands for
        .use =
            [](Arguments& a, const Value& v) {
              if (v.all.has("model")) throw InputError("given beside --model; expected one of them, not both");
-             a.compare.models = preset_models(v.text());
+             a.compare.models = preset_models(v.text(), v.all.text("protocol") == "ren2016");
            }},
       {.name = "plant",
        .in = kRecover,
@@ -204,11 +205,64 @@ std::vector<Setting> reading() {  // NOLINT(readability-function-size): a table
   };
 }
 
+// In the order in which clean() does them.
+std::vector<Setting> cleaning() {
+  return {
+      {.name = "resample",
+       .in = kReading,
+       .help = "put positions on so many frames per second by linear interpolation; takes irregular times; never across holes",
+       .allowed = above(kSlowest, kFastest),
+       .group = kCleaning,
+       .use = [](Arguments& a, const Value& v) { a.read.resample = v.number(); }},
+      {.name = "unwrap",
+       .in = kReading,
+       .help = "undo periodic boundaries: edge of the box, or edges per axis: 10,20",
+       .group = kCleaning,
+       .use = [](Arguments& a, const Value& v) { a.clean.box = parse_box(v.text()); }},
+      {.name = "cut-jumps",
+       .in = kReading,
+       .help = "cut tracks where they move faster than this [unit/s]: identities were mixed up",
+       .allowed = above(0, kLargestCode),
+       .group = kCleaning,
+       .use = [](Arguments& a, const Value& v) { a.clean.fastest = v.number(); }},
+      {.name = "scale",
+       .in = kReading,
+       .help = "multiply lengths: 0.05mm/px, per axis 0.05,0.06mm/px, or a plain factor",
+       .group = kCleaning,
+       .use = [](Arguments& a, const Value& v) { a.clean.scale = parse_scale(v.text()); }},
+      {.name = "flip-y",
+       .in = kReading,
+       .help = "turn y round, for images, whose y points down",
+       .allowed = on_or_off(),
+       .group = kCleaning,
+       .use = [](Arguments& a, const Value& v) { a.clean.flip = v.on(); }},
+      {.name = "stride",
+       .in = kReading,
+       .help = "use one frame of so many",
+       .allowed = whole(1, kLongestGap),
+       .group = kCleaning,
+       .use = [](Arguments& a, const Value& v) { a.clean.stride = v.whole<int>(); }},
+      {.name = "tracks",
+       .in = kReading,
+       .help = "use these individuals only, by name",
+       .allowed = split_texts(),
+       .group = kCleaning,
+       .use = [](Arguments& a, const Value& v) { a.clean.individuals = v.words; }},
+      {.name = "longer-than",
+       .in = kReading,
+       .help = "leave out individuals that are seen in so many frames or fewer",
+       .allowed = whole(0, 1e9),
+       .group = kCleaning,
+       .use = [](Arguments& a, const Value& v) { a.clean.longer_than = v.whole<std::int64_t>(); }},
+  };
+}
+
 }  // namespace
 
 std::vector<Setting> data_settings() {
   std::vector<Setting> all = inputs();
   for (Setting& s : reading()) all.push_back(std::move(s));
+  for (Setting& s : cleaning()) all.push_back(std::move(s));
   return all;
 }
 

@@ -71,7 +71,16 @@ std::vector<Setting> run_settings() {
 std::vector<Setting> output_settings() {
   return {
       {.name = "out", .in = kConvert, .help = "file to write; - for standard output", .letter = 'o', .required = true, .use = out},
-      {.name = "out", .in = kSimulate, .help = "CSV file to write; - for standard output", .letter = 'o', .use = out},
+      {.name = "to",
+       .in = kConvert,
+       .help = "format to write; by the ending of --out if not given: .csv, .h5, .npz, .sqlite",
+       .allowed = one_of({"csv", "hdf5", "npz", "jupedsim"}),
+       .use = [](Arguments& a, const Value& v) { a.write_as = v.text(); }},
+      {.name = "out",
+       .in = kSimulate,
+       .help = "file to write: .csv, .h5, .npz or .sqlite; - for standard output",
+       .letter = 'o',
+       .use = out},
       {.name = "out",
        .in = kFit | kCompare,
        .help = "run directory; swarmfit-<name of the data> if not given",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "libtrack/isolated.h"
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -58,6 +59,7 @@ void limit_memory(std::size_t more) {
 
 [[noreturn]] void be_the_child(int fd, const std::function<std::string()>& work, int seconds, std::size_t memory,
                                const std::string& on_crash) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would read the answer
   const rlimit time{static_cast<rlim_t>(seconds), static_cast<rlim_t>(seconds)}, no_core{0, 0};
   ::setrlimit(RLIMIT_CPU, &time);
   ::setrlimit(RLIMIT_CORE, &no_core);

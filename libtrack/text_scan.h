@@ -54,6 +54,8 @@ class Fields {
 
   const char* rest() const { return p_; }  // the field about to be read and all that follows
 
+  bool quoted() const { return p_ < end_ && *p_ == '"'; }  // is the field about to be read between quotes?
+
   // Reads a plain number; false, with nothing consumed, for anything else.
   bool number(double& value) {
     const auto [after, error] = std::from_chars(p_, end_, value);
@@ -67,7 +69,7 @@ class Fields {
 
   // Reads any field: blanks around it and quotes are taken off. `scratch` is used when a quote has to be undoubled.
   std::string_view text(std::string& scratch) {
-    if (p_ < end_ && *p_ == '"') return quoted(scratch);
+    if (p_ < end_ && *p_ == '"') return unquoted(scratch);
     const char* q = field_end();
     const char* last = q;
     while (last > p_ && is_blank(last[-1])) --last;
@@ -111,7 +113,7 @@ class Fields {
     p_ = done_ || delimiter_ == ' ' ? q : q + 1;
     skip_gap();
   }
-  std::string_view quoted(std::string& scratch) {
+  std::string_view unquoted(std::string& scratch) {
     scratch.clear();
     const char* q = p_ + 1;
     while (q < end_ && (*q != '"' || (q + 1 < end_ && q[1] == '"'))) {

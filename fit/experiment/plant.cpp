@@ -33,6 +33,7 @@ class Dropouts : public FrameSink {
  private:
   bool missed(std::uint32_t id, std::int64_t frame) {
     const auto u = rng_.uniform2(Stream::dropout, static_cast<std::uint64_t>(frame), id);
+    if (id >= hidden_until_.size()) hidden_until_.resize(id + std::size_t{1}, 0);  // arrived on the way
     auto& until = hidden_until_[id];
     if (frame >= until && u[0] < camera_.dropout) until = frame + 1 + static_cast<std::int64_t>(u[1] * camera_.longest_gap);
     return frame < until;

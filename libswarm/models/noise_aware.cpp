@@ -257,9 +257,9 @@ const std::vector<Parameter>& parameter_table() {
   // clang-format off
   static const std::vector<Parameter> table{
       {.row = kScale, .name = "scale", .symbol = "scale", .unit = {1, 0}, .scene = {2.1368, 0.05, 20}, .fit = {0.5, 0.15, 2}, .log = true,
-       .fitted = true, .when = "noise=curl|perlin", .meaning = "feature size of the noise field", .source = "Table S17"},
+       .fitted = true, .published = true, .when = "noise=curl|perlin", .meaning = "feature size of the noise field", .source = "Table S17"},
       {.row = kGain, .name = "gain", .symbol = "gain", .unit = {2, -1}, .scene = {1.2394, 0.01, 20}, .fit = {0.35, 0.05, 2.5}, .log = true,
-       .fitted = true, .meaning = "amplitude of the potential; the speed is 1.72 gain / scale", .source = "Table S17"},
+       .fitted = true, .published = true, .meaning = "amplitude of the potential; the speed is 1.72 gain / scale", .source = "Table S17"},
       {.row = kCage, .name = "cage", .symbol = "R", .unit = {1, 0}, .scene = {10, 0.1, 1000}, .fit = {3, 1, 10}, .log = true,
        .fitted = true,
        .meaning = "radius of the cage; in a fit it holds at least all recorded positions",

@@ -135,6 +135,19 @@ void read_paths(Table& root, Scenario& scene) {
   table->finish();
 }
 
+BridgeShape bridge_of(Table table) {
+  BridgeShape bridge;
+  bridge.length = table.number("length", bridge.length, kPositive);
+  bridge.width = table.number("width", bridge.width, {0, kForever});
+  bridge.mean_interval = table.number("mean_interval", bridge.mean_interval, kPositive);
+  bridge.laden = table.number("laden", bridge.laden, {0, 1});
+  bridge.entry_y = table.number("entry_y", bridge.width / 2, {0, kForever});
+  bridge.entry_y_spread = table.number("entry_y_spread", bridge.entry_y_spread, {0, kForever});
+  bridge.speed = table.number("speed", bridge.speed, kPositive);
+  table.finish();
+  return bridge;
+}
+
 // How it moves is told by the one of these keys that is there.
 void motion_of(Table& table, Stimulus& s, int dims) {
   using enum Stimulus::Motion;
@@ -328,6 +341,7 @@ Scenario read_scenario(const std::string& path, const std::string& text) {
   for (const Table& table : root.tables("obstacle")) scene.obstacles.push_back(obstacle_of(table, scene.dims));
   for (const Table& table : root.tables("stimulus")) scene.stimuli.push_back(stimulus_of(table, scene.dims));
   read_paths(root, scene);
+  if (auto table = root.table("bridge")) scene.bridge = bridge_of(*table);
   read_parameters(root, scene);
   read_schedules(root, scene);
   scene.groups = groups_of(root, scene);

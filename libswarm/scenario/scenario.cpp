@@ -147,6 +147,7 @@ World world_of(const Scenario& scene) {
   });
   if (!visits.empty()) world.add(std::make_unique<Presence>(std::move(visits)));
   if (!scene.obstacles.empty()) world.add(std::make_unique<Walls>(scene.obstacles));
+  if (scene.bridge) world.add(std::make_unique<Bridge>(*scene.bridge));
   return world;
 }
 

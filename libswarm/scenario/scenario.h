@@ -10,9 +10,11 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "libswarm/bridge.h"
 #include "libswarm/model.h"
 #include "libswarm/paths.h"
 #include "libswarm/simulate.h"
@@ -72,7 +74,8 @@ struct Scenario {
   std::vector<Obstacle> obstacles = {};
   std::vector<Stimulus> stimuli = {};
   std::vector<Goal> goals = {};
-  PathOptions paths = {};  // to the goals; the grid covers the bounds if it is not given (one cell)
+  PathOptions paths = {};                  // to the goals; the grid covers the bounds if it is not given (one cell)
+  std::optional<BridgeShape> bridge = {};  // with arrivals of its own
   std::vector<Schedule> schedules = {};
   std::vector<Group> groups = {Group{}};
   std::vector<Expectation> expectations = {};

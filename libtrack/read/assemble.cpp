@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "libtrack/counting_sort.h"
@@ -15,12 +16,15 @@
 #include "libtrack/read/missing.h"
 #include "libtrack/read/project.h"
 #include "libtrack/read/raw_table.h"
+#include "libtrack/resample.h"
+#include "libtrack/utf8.h"
 
 namespace swarmfit {
 namespace {
 
 constexpr std::array kPosition = {FileColumn::x, FileColumn::y, FileColumn::z};
 constexpr std::array kVelocity = {FileColumn::vx, FileColumn::vy, FileColumn::vz};
+constexpr double kFine = 65536, kMostFrames = 9e15;
 constexpr std::array kAcceleration = {FileColumn::ax, FileColumn::ay, FileColumn::az};
 
 std::string plural(std::size_t n, std::string_view one, std::string_view many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
@@ -40,6 +44,7 @@ class Assembly {
 
   Tracks run(std::string sha256) {
     check_columns();
+    check_stated();
     leave_out_codes(table_, options_);
     if (table_.degrees) project_degrees(table_);
     demand_flags();
@@ -51,9 +56,11 @@ class Assembly {
     drop_duplicates();
     TrackMeta meta = describe(std::move(sha256));
     number_tracks();
-    if (options_.fill_gaps == 0) sort_by_frame();
+    const bool by_track = options_.fill_gaps > 0 || options_.resample;
+    if (!by_track) sort_by_frame();
     TrackColumns columns = gather();
     merge_steps(columns, meta);
+    if (options_.resample) resample(columns, meta, *options_.resample);
     if (options_.fill_gaps > 0) fill_gaps(columns, options_.fill_gaps, meta.from.notes);
     table_ = {};
     return Tracks(std::move(columns), std::move(meta));
@@ -76,6 +83,29 @@ class Assembly {
     note_if_incomplete(kAcceleration, "acceleration");
   }
 
+  // What the file says of itself: usable numbers, a unit of one word or several.
+  void check_stated() {
+    if (!(table_.dt == 0 || (table_.dt > 0 && std::isfinite(table_.dt) && std::isfinite(1 / table_.dt))) || !std::isfinite(table_.t0))
+      fail(fmt::format("the file states a frame interval of {:g} s and {:g} s for frame 0; expected finite numbers, the first above 0",
+                       table_.dt, table_.t0));
+    table_.unit = plain_name(table_.unit);
+  }
+
+  // Names that fit on a line, and stay different.
+  void plain_names() {
+    std::set<std::string> taken;
+    std::size_t odd = 0;
+    for (auto& name : names_) {
+      auto plain = plain_name(name);
+      odd += plain != name;
+      name = plain;
+      for (int k = 2; !taken.insert(name).second; ++k) name = fmt::format("{}-{}", plain, k);
+    }
+    if (odd > 0)
+      note(plural(odd, "name has", "names have") +
+           " blanks around it, control characters, or bytes that are no UTF-8; they were taken off or written as \\x0a");
+  }
+
   void note_if_incomplete(const std::array<FileColumn, 3>& vector, std::string_view name) {
     const bool some = has(vector[0]) || has(vector[1]) || has(vector[2]);
     if (some && !complete(vector)) note(fmt::format("the recorded {} lacks a component and was left out", name));
@@ -83,6 +113,8 @@ class Assembly {
 
   // Frame rate and unit come from the file or from the user; both are asked for at once.
   void demand_flags() const {
+    if (options_.resample && !(*options_.resample > 0 && std::isfinite(1 / *options_.resample)))
+      throw InputError(fmt::format("`resample`: {} is no frame rate; expected a number above 0", *options_.resample));
     const bool rate = options_.fps || table_.dt > 0 || has(FileColumn::t);
     const bool unit = !options_.unit.empty() || !table_.unit.empty();
     if (!rate && !unit) fail("neither frame rate nor length unit is in the file; expected both, for example `fps` 25 `unit` m");
@@ -139,6 +171,7 @@ class Assembly {
       cursor[k] = first_.back();
       first_.push_back(first_.back() + count[k]);
     }
+    plain_names();
     order_.resize(seen.size());
     for (const auto row : seen) order_[cursor[table_.track[row]]++] = row;
     sort_each();
@@ -176,6 +209,7 @@ class Assembly {
     if (has(FileColumn::frame) && stated > 0 && times_are_rounded(time, stated)) return use_frames(stated, table_.t0);
     FrameClock clock = has(FileColumn::frame) ? fit_known_frames(time, ordered(FileColumn::frame)) : fit_frame_clock(time, first_);
     if (!has(FileColumn::frame)) look_behind_rounding(clock, time, stated);
+    if (options_.resample && !(stated > 0) && (clock.dt == 0 || !clock.problem.empty())) return use_fine_grid(time);
     if (clock.dt == 0 && stated > 0) return use_rate(time, clock, stated);
     if (clock.dt == 0 && !(time.front() < time.back())) fail(clock.problem + "; expected `fps`, for example `fps` 25");
     if (!clock.problem.empty()) fail(clock.problem + "; expected time stamps at a constant interval (`fps` puts them on one)");
@@ -195,6 +229,8 @@ class Assembly {
   // Times without an interval of their own: one single moment, or irregular ones.
   void use_rate(const std::vector<double>& time, const FrameClock& clock, double stated) {
     double worst = 0;
+    if (!countable(time, stated) || !(std::abs(table_.t0) / stated <= kMostFrames))
+      fail(fmt::format("{}, and frames of {:.6g} s cannot be counted up to it; expected another rate", clock.problem, stated));
     for (const double t : time) {
       frame_.push_back(std::llround((t - table_.t0) / stated));
       worst = std::max(worst, std::abs(t - table_.t0 - static_cast<double>(frame_.back()) * stated));
@@ -204,6 +240,16 @@ class Assembly {
     t0_ = table_.dt > 0 ? table_.t0 : moment ? time[0] - static_cast<double>(frame_[0]) * stated : 0;
     if (!moment)
       note(fmt::format("{}; rows were put on the nearest frame of {:.6g} s, by up to {:.3g} s away", clock.problem, stated, worst));
+  }
+
+  // Irregular times that are resampled: on a grid so fine that the nearest frame is the time itself.
+  void use_fine_grid(const std::vector<double>& time) {
+    const auto [first, last] = std::minmax_element(time.begin(), time.end());
+    dt_ = 1 / (*options_.resample * kFine);
+    t0_ = std::floor(*first);
+    if ((*last - t0_) / dt_ > kMostFrames)
+      fail(fmt::format("it lasts {:.6g} s, too long for `resample` {:.6g}; expected a lower rate", *last - *first, *options_.resample));
+    for (const double t : time) frame_.push_back(std::llround((t - t0_) / dt_));
   }
 
   // Whole seconds beside frame numbers at 25 Hz say nothing that the frames do not.
@@ -314,7 +360,7 @@ class Assembly {
     meta.dims = dims_;
     meta.dt = dt_;
     meta.t0 = t0_;
-    meta.unit = options_.unit.empty() ? table_.unit : options_.unit;
+    meta.unit = plain_name(options_.unit.empty() ? table_.unit : options_.unit);
     meta.from = {.path = table_.file,
                  .sha256 = std::move(sha256),
                  .format = table_.format,

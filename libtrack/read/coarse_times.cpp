@@ -53,6 +53,7 @@ std::optional<FrameClock> clock_behind_rounding(std::span<const double> time, do
     clock.t0 += (clock.dt - round) * index.back() / 2;
     clock.dt = round;
   }
+  if (!countable(time, clock.dt)) return std::nullopt;
   clock.problem.clear();
   const double offset = std::round(clock.t0 / clock.dt);
   clock.t0 -= offset * clock.dt;
@@ -66,6 +67,7 @@ std::optional<FrameClock> clock_behind_rounding(std::span<const double> time, do
 }
 
 std::optional<FrameClock> clock_behind_rounding(std::span<const double> time, std::span<const std::size_t> first, double step, double dt) {
+  if (!countable(time, dt)) return std::nullopt;
   FrameClock clock;
   clock.dt = dt;
   const double start = *std::min_element(time.begin(), time.end());

@@ -35,6 +35,9 @@ struct Reader {
 #undef TEXT_READER
 #undef READER
 
+// The reader of text that recognises it; there is always one. For containers that hold text.
+const Reader& text_reader(const Source& source, const ReadOptions& options);
+
 // Throws InputError for well-known files that are no readable recordings, with advice.
 void refuse_non_recordings(const Source& source);
 

@@ -225,6 +225,11 @@ void measure_deviation(FrameClock& clock, std::span<const double> time) {
 
 }  // namespace
 
+bool countable(std::span<const double> time, double dt) {
+  constexpr double most = 9e15;
+  return std::all_of(time.begin(), time.end(), [&](double t) { return std::abs(t) / dt <= most; });
+}
+
 FrameClock fit_frame_clock(std::span<const double> time, std::span<const std::size_t> first) {
   FrameClock clock;
   auto groups = sample(time, first);
@@ -249,6 +254,10 @@ FrameClock fit_frame_clock(std::span<const double> time, std::span<const std::si
   const double joint = refined({all}, guess.dt);
   const bool one_clock = jitter({all}, joint) <= guess.jitter + 0.01;
   clock.dt = rounded_interval(one_clock ? joint : guess.dt, all.back() - all.front(), guess.jitter);
+  if (!countable(time, clock.dt)) {
+    clock.problem = fmt::format("times up to {:.6g} s in steps of {:.6g} s are more frames than can be counted", all.back(), clock.dt);
+    return clock;
+  }
   number_frames(clock, time, first, all[0] + phase(all, all[0], clock.dt));
   measure_deviation(clock, time);
   return clock;

@@ -33,4 +33,7 @@ FrameClock fit_frame_clock(std::span<const double> time, std::span<const std::si
 // Least squares for the case that frame numbers are known.
 FrameClock fit_known_frames(std::span<const double> time, std::span<const double> frame);
 
+// Whether all times are whole numbers of frames that doubles count exactly.
+bool countable(std::span<const double> time, double dt);
+
 }  // namespace swarmfit

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "libtrack/error.h"
+#include "libtrack/utf8.h"
 
 namespace swarmfit {
 namespace {
@@ -129,6 +130,32 @@ NumberArray parse_npy(const std::string& file, const std::string& name, std::str
   NumberArray out{name, header->dims, std::vector<double>(static_cast<std::size_t>(count))};
   convert(data, header->type[0] == '>', out.value);
   if (header->fortran && out.dims.size() > 1) out.value = row_major(out.value, out.dims);
+  return out;
+}
+
+bool is_npy_text(std::string_view bytes) {
+  const auto header = is_npy(bytes) ? parse_header(bytes) : std::nullopt;
+  return header && header->type.starts_with("<U");
+}
+
+std::vector<std::string> parse_npy_texts(const std::string& file, const std::string& name, std::string_view bytes) {
+  const auto fail = [&](const std::string& what) { return InputError(fmt::format("{}: array '{}' {}", file, name, what)); };
+  const auto header = is_npy(bytes) ? parse_header(bytes) : std::nullopt;
+  if (!header || !header->type.starts_with("<U")) throw fail("holds no texts; expected type '<U'");
+  std::size_t length = 0;
+  const char* end = header->type.data() + header->type.size();
+  if (std::from_chars(header->type.data() + 2, end, length).ptr != end) throw fail("has no length; expected type '<U'");
+  const auto data = bytes.substr(header->data_at);
+  double count = 1;
+  for (const auto d : header->dims) count *= static_cast<double>(d);
+  if (count * std::max(1.0, 4 * static_cast<double>(length)) > static_cast<double>(data.size()))
+    throw fail("claims more texts than are there; expected an undamaged file");
+  std::vector<std::string> out;
+  std::u32string text(length, U'\0');
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    if (length > 0) std::memcpy(text.data(), data.data() + 4 * length * i, 4 * length);
+    out.push_back(to_utf8(text.substr(0, text.find(U'\0'))));
+  }
   return out;
 }
 

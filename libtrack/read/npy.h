@@ -21,4 +21,8 @@ inline bool is_npy(std::string_view bytes) { return bytes.starts_with("\x93NUMPY
 // `file` and `name` are for messages. Throws InputError when the bytes are no array of numbers or more are claimed than are there.
 NumberArray parse_npy(const std::string& file, const std::string& name, std::string_view bytes);
 
+// Texts of fixed length, type '<U'. Throws as parse_npy().
+bool is_npy_text(std::string_view bytes);
+std::vector<std::string> parse_npy_texts(const std::string& file, const std::string& name, std::string_view bytes);
+
 }  // namespace swarmfit

@@ -116,6 +116,12 @@ const Hdf5Contents* Source::hdf5() const {
   return contents.get();
 }
 
+const Reader& text_reader(const Source& source, const ReadOptions& options) {
+  for (const auto& [reader, text] : kReaders)
+    if (text && reader->recognises(source, options)) return *reader;
+  return kDelimitedText;
+}
+
 Interval parse_interval(std::string_view setting, std::string_view text) {
   const auto cut = text.find(':');
   if (cut == std::string_view::npos || text.size() == 1)

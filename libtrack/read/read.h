@@ -40,6 +40,7 @@ struct ReadOptions {
   std::optional<double> min_confidence{};  // points that the tracker is less sure of, 0 to 1, are not seen
   std::optional<Interval> frames{};        // inclusive, in the file's own numbering
   std::optional<Interval> times{};         // inclusive [s]
+  std::optional<double> resample{};        // frames per second of the result, > 0: positions between the recorded ones, see resample.h
   int fill_gaps = 0;                       // gaps of at most this many frames are filled by linear interpolation
 };
 

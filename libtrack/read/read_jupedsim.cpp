@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <map>
+#include <unordered_map>
 
 #include "libtrack/error.h"
 #include "libtrack/read/formats.h"
@@ -26,6 +28,28 @@ double number(const std::string& text) {
   return error == std::errc() && end == text.data() + text.size() ? value : 0;
 }
 
+// What swarmfit convert says beyond JuPedSim's layout.
+void take_ours(const std::map<std::string, std::string>& metadata, RawTable& table) {
+  for (const auto& [key, value] : metadata) {
+    if (key == "swarmfit_dt") table.dt = number(value);
+    if (key == "swarmfit_t0") table.t0 = number(value);
+    if (key.starts_with("swarmfit_note_")) table.notes.push_back(value);
+  }
+}
+
+void add_named(RawTable& table, const std::vector<double>& ids, const std::map<std::string, std::string>& names) {
+  std::unordered_map<double, std::uint32_t> of;
+  for (const double id : ids) {
+    const auto [hit, fresh] = of.try_emplace(id, 0);
+    if (fresh) {
+      const auto text = fmt::format("{}", id);
+      const auto name = names.find(text);
+      hit->second = table.names.number(name == names.end() ? text : name->second);
+    }
+    table.track.push_back(hit->second);
+  }
+}
+
 RawTable read(const Source& source, const ReadOptions&) {
   const SqliteFile file(source.name, source.bytes);
   if (!is_ours(file))
@@ -40,9 +64,13 @@ RawTable read(const Source& source, const ReadOptions&) {
   table.unit = "m";
   table.columns = "frame,id,x,y,_,_";
   if (const double fps = number(metadata["fps"]); fps > 0) table.dt = 1 / fps;
+  take_ours(metadata, table);
   auto data = file.numbers("trajectory_data", kColumns);
   table[FileColumn::frame] = std::move(data[0]);
-  add_ids(table, data[1]);
+  if (file.has("track_names", {"id", "name"}))
+    add_named(table, data[1], file.pairs("track_names", "id", "name"));
+  else
+    add_ids(table, data[1]);
   table[FileColumn::x] = std::move(data[2]);
   table[FileColumn::y] = std::move(data[3]);
   check_numbers(table);

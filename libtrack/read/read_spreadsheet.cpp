@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any spreadsheet (.xlsx) with a table in it: a sheet is read as the delimited text that it would be saved as.
+// Any spreadsheet (.xlsx) with a table in it: a sheet is read as the delimited text that it would be saved as, by whichever reader of
+// text knows it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,7 +62,10 @@ RawTable read(const Source& source, const ReadOptions& options) {
   const auto text = as_text(source.name, sheet);
   ReadOptions as_csv = options;
   as_csv.delimiter = ',';
-  auto table = kDelimitedText.read({source.name, text}, as_csv);
+  as_csv.format.clear();
+  as_csv.variable.clear();
+  const Source as_saved{source.name, text};
+  auto table = text_reader(as_saved, as_csv).read(as_saved, as_csv);
   table.notes.push_back(fmt::format("the table is that of sheet '{}'", sheet.name));
   return table;
 }

@@ -186,14 +186,16 @@ class RowReader {
     return *unit;
   }
 
+  // Between quotes NA is a name.
   void read_id(Fields& fields) {
+    const bool quoted = fields.quoted();
     const auto field = fields.text(scratch_);
     std::uint32_t integer = 0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), integer);
     if (error == std::errc() && end == field.data() + field.size() && (field[0] != '0' || field.size() == 1))
       track_ = table_.names.number(integer);
     else
-      track_ = is_missing(field) ? RawTable::no_track : table_.names.number(field);
+      track_ = is_missing(field) && (!quoted || field.empty()) ? RawTable::no_track : table_.names.number(field);
   }
 
   [[noreturn]] void ragged(const Place& place, std::size_t found) const {

@@ -44,11 +44,17 @@ double number_behind_colon(std::string_view comment) {
   return value;
 }
 
+// Between quotes, as our own files have it, where there are blanks or quotes in it.
 std::string word_behind_colon(std::string_view comment) {
   auto at = comment.find(':');
   if (at == std::string_view::npos) return {};
   do ++at;
   while (at < comment.size() && is_blank(comment[at]));
+  if (at < comment.size() && comment[at] == '"') {
+    std::string scratch;
+    Fields fields(comment.substr(at), '\0');
+    return std::string(fields.text(scratch));
+  }
   return std::string(comment.substr(at, comment.find_first_of(" \t", at) - at));
 }
 
@@ -76,11 +82,21 @@ std::string unit_in_words(const std::string& comment) {
   return {};
 }
 
+std::string_view trimmed_note(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && (is_blank(text.back()) || text.back() == '\r')) text.remove_suffix(1);
+  return text;
+}
+
 void read_comment(std::string_view line, TextHeader& header) {
   line.remove_prefix(line.find_first_of("#%") + 1);
   while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
   const auto text = lower(line);
   const auto starts = [&](std::string_view key) { return text.starts_with(key); };
+  if (starts("note:")) {
+    header.notes.emplace_back(trimmed_note(line.substr(5)));
+    return;
+  }
   if (starts("framerate:") || starts("frame rate:") || starts("fps:")) {
     const double fps = number_behind_colon(text);
     if (fps > 0 && header.dt == 0) header.dt = 1 / fps;

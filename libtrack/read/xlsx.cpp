@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <pugixml.hpp>
@@ -84,26 +85,58 @@ class Book {
     return shared_[index];
   }
 
+  // The sheet is parsed row by row: as a whole it would take ten times its text.
   std::vector<std::vector<std::string>> cells(const std::string& path) {
     const auto bytes = zip_.read(path);
-    const auto document = parse_xml(name_, bytes);
     const std::size_t most = 100'000 + bytes.size();  // empty cells between full ones take room here, and none in the file
     std::size_t count = 0;
     std::vector<std::vector<std::string>> rows;
-    for (const auto row : child(document->document_element(), "sheetData").children()) {
+    std::string_view rest = bytes;
+    for (auto text = next_row(rest); !text.empty(); text = next_row(rest)) {
+      pugi::xml_document document;
+      if (!document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_fragment)) damaged();
+      const auto row = document.first_child();
       const auto number = row.attribute("r").as_uint(static_cast<unsigned>(rows.size() + 1));
       if (number <= rows.size() || number > most) damaged();
       rows.resize(number);
-      for (const auto cell : row.children()) {
-        const auto at = column(cell.attribute("r").value(), rows.back().size());
-        if (at < rows.back().size()) damaged();
-        count += at + 1 - rows.back().size();
-        if (count > most) damaged();
-        rows.back().resize(at + 1);
-        rows.back()[at] = value(cell);
-      }
+      add_cells(row, rows.back(), count, most);
     }
     return rows;
+  }
+
+  // From "<row" to "</row>", whatever stands before "row:" in both; nothing behind the last one.
+  std::string_view next_row(std::string_view& rest) const {
+    for (;;) {
+      const auto open = rest.find('<');
+      if (open == std::string_view::npos) return {};
+      rest.remove_prefix(open);
+      const auto tag = rest.substr(1, std::min(rest.find_first_of(" \t\r\n/>", 1), rest.size()) - 1);
+      if (plain(tag) == "row") break;
+      rest.remove_prefix(1);
+    }
+    const auto tag = rest.substr(1, rest.find_first_of(" \t\r\n/>", 1) - 1);
+    const auto end_of_tag = rest.find('>');
+    if (end_of_tag == std::string_view::npos) damaged();
+    std::size_t length = end_of_tag + 1;
+    if (rest[end_of_tag - 1] != '/') {
+      const auto close = rest.find(fmt::format("</{}>", tag), length);
+      if (close == std::string_view::npos) damaged();
+      length = close + tag.size() + 3;
+    }
+    const auto row = rest.substr(0, length);
+    rest.remove_prefix(length);
+    return row;
+  }
+
+  void add_cells(const pugi::xml_node& row, std::vector<std::string>& out, std::size_t& count, std::size_t most) const {
+    for (const auto cell : row.children()) {
+      const auto at = column(cell.attribute("r").value(), out.size());
+      if (at < out.size()) damaged();
+      count += at + 1 - out.size();
+      if (count > most) damaged();
+      out.resize(at + 1);
+      out[at] = value(cell);
+    }
   }
 
   const std::string& name_;

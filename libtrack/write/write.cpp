@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "libtrack/write/write.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <charconv>
 
+#include "libtrack/error.h"
 #include "libtrack/file.h"
+#include "libtrack/read/text_header.h"
 
 namespace swarmfit {
 namespace {
@@ -16,18 +21,32 @@ void append(std::string& out, Number value) {
   out.append(text.data(), end);
 }
 
-// A name with a delimiter, a quote or a comment sign in it is quoted.
+// A name with a delimiter, a quote or a comment sign in it is quoted, and one that would count as missing.
 std::string quoted(const std::string& name) {
-  if (!name.empty() && name.find_first_of(",;\t\" #%") == std::string::npos) return name;
+  if (!is_missing(name) && name.find_first_of(",;\t\" #%") == std::string::npos) return name;
   std::string out = "\"";
   for (const char c : name) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + '"';
 }
 
+// Words that a blank or a quote would end are put between quotes; there are no control characters in what was read.
+std::string one_word(const std::string& text) {
+  if (!text.empty() && text.find_first_of(" \t\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : c == '\n' || c == '\r' ? " " : std::string(1, c);
+  return out + '"';
+}
+
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
 void append_facts(std::string& out, const Tracks& tracks) {
   const auto& meta = tracks.meta();
   if (meta.from.synthetic) out += "# synthetic: made by a simulator\n";
-  if (!meta.unit.empty()) out += "# unit: " + meta.unit + '\n';
+  if (!meta.unit.empty()) out += "# unit: " + one_word(meta.unit) + '\n';
   out += "# fps: ";
   append(out, 1 / meta.dt);
   out += "\n# frame interval: ";
@@ -35,6 +54,7 @@ void append_facts(std::string& out, const Tracks& tracks) {
   out += " s\n# time of frame 0: ";
   append(out, meta.t0);
   out += " s\n";
+  for (const auto& note : meta.from.notes) out += "# note: " + one_line(note) + '\n';
   if (tracks.episodes().empty()) return;
   out += "# episodes:";
   for (const auto frame : tracks.episodes()) {
@@ -92,6 +112,28 @@ std::string to_csv(const Tracks& tracks) {
     }
   }
   return out;
+}
+
+std::span<const WrittenFormat> written_formats() {
+  static constexpr std::array list = {WrittenFormat{"csv", "delimited text with a header", ".csv", to_csv},
+                                      WrittenFormat{"hdf5", "HDF5, one column per dataset", ".h5 .hdf5", to_hdf5},
+                                      WrittenFormat{"npz", "NumPy arrays, one per column", ".npz", to_npz},
+                                      WrittenFormat{"jupedsim", "JuPedSim's SQLite; metres, two dimensions", ".sqlite", to_jupedsim}};
+  return list;
+}
+
+const WrittenFormat& written_format(std::string_view name, std::string_view path) {
+  const auto all = written_formats();
+  if (!name.empty()) {
+    const auto hit = std::find_if(all.begin(), all.end(), [&](const auto& f) { return f.name == name; });
+    if (hit == all.end()) throw InputError(fmt::format("'{}' is not known; expected csv, hdf5, npz or jupedsim", name));
+    return *hit;
+  }
+  for (const auto& format : all)
+    for (const std::string_view ending :
+         {format.endings.substr(0, format.endings.find(' ')), format.endings.substr(format.endings.rfind(' ') + 1)})
+      if (path.ends_with(ending)) return format;
+  return all.front();
 }
 
 void write_csv(const std::string& path, const Tracks& tracks) { write_file_atomically(path, to_csv(tracks)); }

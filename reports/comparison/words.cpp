@@ -103,9 +103,8 @@ Headline ranked(const Comparison& c, const std::vector<const ModelFit*>& scored)
   const ModelFit &first = *scored[0], &second = *scored[1];
   const bool known = first.standing.certainty.group > 0;
   return {known ? Verdict::clear : Verdict::open,
-          fmt::format(none_explains(scored) ? "None of these models explains the recording. {} comes closest."
-                                            : "{} moves most like the recording.",
-                      first.model),
+          none_explains(scored) ? fmt::format("None of these models explains the recording. {} comes closest.", first.model)
+                                : fmt::format("{} moves most like the recording.", first.model),
           join({fmt::format("It leads {} by {} in score ({}).", second.model, fixed(first.standing.score - second.standing.score, 3),
                             known ? p_text(second.standing.certainty.set_p, c.ranking.laws) : "it cannot be told how sure that is"),
                 goodness(c, first), refuted(first), first_elsewhere(scored), main_misfit(c, first)})};

@@ -56,9 +56,9 @@ void begin_run(const std::string& dir, const std::string& config) {
   check_run_directory(dir);
   make_directory(dir);
   remove_torn(dir);
-  write_file_atomically(dir + "/config.toml", config);
-  std::error_code no_such_file;
+  std::error_code no_such_file;  // results go first: a kill in between must not leave old ones beside new settings
   for (const char* result : kResults) fs::remove(fs::path(dir) / result, no_such_file);
+  write_file_atomically(dir + "/config.toml", config);
 }
 
 std::string unfinished_run(const std::string& dir) {
@@ -87,9 +87,9 @@ std::string config_toml(const std::string& command, const Settings& settings) {
 void begin_study(const std::string& dir, const std::string& command, const Settings& settings, const std::string& result) {
   check_run_directory(dir);
   make_directory(dir + "/tables");
-  write_file_atomically(dir + "/config.toml", config_toml(command, settings));
   std::error_code no_such_file;
   std::filesystem::remove(dir + '/' + result, no_such_file);
+  write_file_atomically(dir + "/config.toml", config_toml(command, settings));
 }
 
 }  // namespace swarmfit

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Input that nobody should give and circumstances that nobody wants: still one line and the right exit code.
+#include <csignal>
+
 #include "cli/setting.h"
 #include "tests/cli/program.h"
 
@@ -126,6 +128,82 @@ TEST_F(Hostile, OddCharactersSurviveConfigAndResume) {
   const Result repeated = run("recover --config r/config.toml -q -o s");
   ASSERT_EQ(repeated.code, 0) << repeated.err;
   EXPECT_EQ(content(dir_ / "r/recovery.json"), content(dir_ / "s/recovery.json"));
+}
+
+// Each once wrote over another's results, ran until memory was full, or ended without a word.
+TEST_F(Hostile, AFolderBelongsToOneRun) {
+  ASSERT_EQ(run("simulate langevin --agents 6 --frames 60 --start-radius 5 --unit mm -o film.csv").code, 0);
+  fs::create_directories(dir_ / "busy");
+  const std::string job = " fit film.csv -m brownian --max-evaluations 10 --replicates 1 -q -o busy";
+  std::ofstream(dir_ / "twice.sh") << "flock busy '" SWARMFIT_PROGRAM "'" << job << "\n";
+  const Result r = run("--version >/dev/null; sh twice.sh");
+  EXPECT_EQ(r.code, 2) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("busy: another run is writing to it; expected"));
+  EXPECT_TRUE(fs::is_empty(dir_ / "busy"));
+  EXPECT_EQ(run(job.substr(1)).code, 0);
+}
+
+TEST_F(Hostile, InputThatNeverEndsIsRefused) {
+  expect_refused("describe /dev/zero", "/dev/zero: is a device; expected a file, or a pipe");
+  expect_refused("describe /dev/urandom", "is a device");
+  expect_refused("describe /dev/full --columns id,x", "is a device");
+}
+
+TEST_F(Hostile, AFileThatMayNotGrowIsAFailedWrite) {
+  const Result r = run("--version >/dev/null; ulimit -f 1; '" SWARMFIT_PROGRAM "' convert demo -o big.csv");
+  EXPECT_EQ(r.code, 1) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("big.csv: cannot be written: File too large"));
+  EXPECT_FALSE(fs::exists(dir_ / "big.csv"));
+}
+
+TEST_F(Hostile, LinksStayLinksAndReadOnlyFilesStayAsTheyAre) {
+  write("target.csv", "old");
+  fs::create_symlink("target.csv", dir_ / "link.csv");
+  ASSERT_EQ(run("convert demo --frames 0:3 -o link.csv").code, 0);
+  EXPECT_TRUE(fs::is_symlink(dir_ / "link.csv"));
+  EXPECT_THAT(content(dir_ / "target.csv"), StartsWith("# synthetic"));
+  if (geteuid() == 0) GTEST_SKIP() << "root may write everything";
+  write("kept.csv", "old");
+  fs::permissions(dir_ / "kept.csv", fs::perms::owner_read);
+  EXPECT_EQ(run("convert demo -o kept.csv").code, 1);
+  EXPECT_EQ(content(dir_ / "kept.csv"), "old");
+}
+
+// While a recording is read there is nothing to save: the first signal ends the program.
+TEST_F(Hostile, ASignalEndsReading) {
+  const Result r = run("--version >/dev/null; mkfifo pipe; sleep 60 >pipe & filler=$!; '" SWARMFIT_PROGRAM
+                       "' describe pipe & reader=$!; sleep 0.5; kill -TERM $reader; wait $reader; code=$?; kill $filler; exit $code");
+  EXPECT_EQ(r.code, 128 + SIGTERM) << r.err;
+}
+
+TEST_F(Hostile, FramesFarApartAreAGap) {
+  write("far.csv", "id,frame,x,y\na,0,0,0\na,1,1,0\na,1000000000,2,0\na,1000000001,3,0\n");
+  EXPECT_EQ(run("describe far.csv --fps 25 --unit m").code, 0);
+  EXPECT_EQ(run("convert far.csv --fps 25 --unit m --stride 2 -o near.csv").code, 0);
+  expect_refused("describe far.csv --fps 25 --unit m --resample 1e9", "--resample 1e+09: that makes more than");
+  write("late.csv", "id,t,x,y\na,1e19,0,0\na,2e19,1,0\na,1e30,1,0\n");
+  expect_refused("describe late.csv --fps 25 --unit m", "cannot be counted");
+}
+
+// Cleaning is a setting like any other: a run that has it repeats itself, and says so in what it leaves.
+TEST_F(Hostile, CleaningIsInConfigAndResults) {
+  ASSERT_EQ(run("simulate langevin --agents 6 --frames 80 --start-radius 5 --unit mm -o film.csv").code, 0);
+  const std::string rest = " -m brownian --max-evaluations 10 --replicates 1 -q -o ";
+  ASSERT_EQ(run("fit film.csv --scale 0.1,0.2cm/mm --flip-y --stride 2 --longer-than 3 --tracks 0,1,2,4" + rest + "a").code, 0);
+  const Result again = run("fit --config a/config.toml -q -o b");
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(content(dir_ / "a/results.json"), content(dir_ / "b/results.json"));
+  const std::string results = content(dir_ / "a/results.json");
+  for (const char* note :
+       {"lengths were multiplied by 0.1, 0.2", "y was turned round", "one frame of 2 was kept", "2 individuals were left out by name"})
+    EXPECT_THAT(results, HasSubstr(note));
+  for (const char* file : {"a.csv", "a.h5", "a.npz"}) {
+    ASSERT_EQ(run("convert film.csv --cut-jumps 1e6 --unwrap 1e9 --flip-y -o " + std::string(file)).code, 0);
+    const Result r = run("describe " + std::string(file) + " --json");
+    EXPECT_THAT(r.out, AllOf(HasSubstr("y was turned round"), HasSubstr("periodic boundaries of a box"))) << r.err;
+  }
+  expect_refused("convert film.csv --scale 0.001m/mm -o a.sqlite",
+                 "--to jupedsim: it holds motion in two dimensions; expected another format");
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ TEST(PaperTables, TheRankingHasGroupsSkillAndTheHeldOutHalf) {
   Comparison c = sample_comparison();
   c.models[0].likeness.skill = {-0.07, 0.02};
   PaperTable t = paper_tables(c).front();
-  EXPECT_THAT(t.head, testing::ElementsAre("model", "rank", "score", "95 %", "fit p", "skill", "candidates"));
-  EXPECT_THAT(t.rows[0], testing::ElementsAre("bswarm", "1 a", "0.912", "0.88 to 0.93", "0.50", "−0.07 ± 0.02", "2423"));
+  EXPECT_THAT(t.head, testing::ElementsAre("model", "rank", "score", "95 %", "fit p", "skill", "fitted", "candidates"));
+  EXPECT_THAT(t.rows[0], testing::ElementsAre("bswarm", "1 a", "0.912", "0.88 to 0.93", "0.50", "−0.07 ± 0.02", "3", "2423"));
   c.recording.hold_out = {true, 1, 240, 261, 500};
   c.models[0].standing.held_out.score = 0.712;
   t = paper_tables(c).front();

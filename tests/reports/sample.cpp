@@ -97,7 +97,7 @@ ModelFit fit_result(const Comparison& c, const Sketch& sketch, int rank) {
   r.search.stop_reason = "stalled";
   r.runs.steps = 2;
   r.runs.infeasible_avoidance = 0.0021;
-  r.standing.certainty = {0.5 / rank, 0, 1.0 / rank, sketch.score - 0.03, sketch.score + 0.02, 0.05 * rank, 0.15 * rank, {}};
+  r.standing.certainty = {0.5 / rank, 0.5 / rank, 0, 1.0 / rank, sketch.score - 0.03, sketch.score + 0.02, 0.05 * rank, 0.15 * rank, {}};
   for (std::size_t m = 0; m < kMetrics; ++m) r.standing.certainty.own[m] = 0.1 + 0.05 * static_cast<double>(m);
   r.likeness.skill = {sketch.score - 0.1, 0.02};
   for (std::size_t m = 0; m < kMetrics; ++m) {

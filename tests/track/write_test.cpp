@@ -99,6 +99,91 @@ TEST(WriteCsv, ReadingBackGivesTheSameBitsWithoutAnyFlag) {
   }
 }
 
+void expect_the_same(const Tracks& before, const Tracks& after) {
+  ASSERT_EQ(before.rows(), after.rows());
+  expect_same_bits(before.pos(), after.pos());
+  expect_same_bits(before.vel(), after.vel());
+  expect_same_bits(before.acc(), after.acc());
+  EXPECT_TRUE(std::ranges::equal(before.frame(), after.frame()));
+  EXPECT_TRUE(std::ranges::equal(before.track(), after.track()));
+  EXPECT_TRUE(std::ranges::equal(before.episodes(), after.episodes()));
+  for (Index i = 0; i < before.rows(); ++i) EXPECT_EQ(before.kind(i), after.kind(i));
+  EXPECT_EQ(before.names(), after.names());
+  EXPECT_EQ(before.dt(), after.dt());
+  EXPECT_EQ(before.meta().t0, after.meta().t0);
+  EXPECT_EQ(before.meta().unit, after.meta().unit);
+  EXPECT_EQ(before.meta().from.notes, after.meta().from.notes);
+  EXPECT_EQ(before.meta().from.synthetic, after.meta().from.synthetic);
+}
+
+TEST(Write, ContainersGiveTheSameBitsBack) {
+  for (const int dims : {2, 3}) {
+    for (const bool more : {false, true}) {
+      const auto before = awkward(dims, more, more);
+      expect_the_same(before, read(to_hdf5(before)));
+      expect_the_same(before, read(to_npz(before)));
+      EXPECT_EQ(to_hdf5(before), to_hdf5(before)) << "no clock in it";
+      EXPECT_EQ(to_npz(before), to_npz(before));
+    }
+  }
+}
+
+// JuPedSim's layout holds metres in two dimensions and no velocities.
+TEST(Write, JuPedSimGivesTheSameBitsBack) {
+  auto before = awkward(2, false, false);
+  EXPECT_THAT([&] { to_jupedsim(before); }, testing::ThrowsMessage<InputError>(HasSubstr("is in mm; expected `scale`, as in 0.01m/mm")));
+  EXPECT_THAT([&] { to_jupedsim(awkward(3, false, false)); }, testing::ThrowsMessage<InputError>(HasSubstr("two dimensions")));
+  TrackMeta meta = before.meta();
+  meta.unit = "m";
+  meta.from.notes = {"one", "two"};
+  TrackColumns columns = before.columns();
+  columns.episodes.clear();
+  before = Tracks(std::move(columns), std::move(meta));
+  expect_the_same(before, read(to_jupedsim(before)));
+}
+
+// Names, units and notes of every odd character, in every format that is written.
+TEST(Write, OddCharactersComeBack) {
+  const std::vector<std::string> odd = {"NA",    "-",   ".",    "nan", "a b",  "#1",  "%x",   "a,b",  "a;b",        "it's",
+                                        "\"q\"", "\"",  "a\"b", "\\n", "=1+1", "0x1", "007",  "-1",   "\xC2\xB5m",  "\xF0\x9F\x90\x9F",
+                                        "id",    "1e3", "True", "[0]", "{}",   "//",  "null", "12.5", "2021-01-01", "x\\x0a"};
+  for (const auto& unit : odd) {
+    TrackColumns c;
+    std::uint32_t n = 0;
+    for (const auto& name : odd) {
+      c.names.push_back(name);
+      for (std::int64_t frame = 0; frame < 2; ++frame) {
+        c.track.push_back(n);
+        c.frame.push_back(frame);
+      }
+      ++n;
+    }
+    c.pos = Rows::Random(static_cast<Index>(c.frame.size()), 3);
+    c.pos.col(2) = 0;
+    TrackMeta meta{.dims = 2, .dt = 0.1, .t0 = 0, .unit = unit, .from = {}};
+    meta.from.notes = {"note of " + unit};
+    const Tracks before(std::move(c), std::move(meta));
+    for (const auto& format : written_formats()) {
+      if (format.name == "jupedsim") continue;
+      SCOPED_TRACE(unit + " as " + std::string(format.name));
+      const Tracks after = read(format.write(before));
+      EXPECT_EQ(after.meta().unit, unit);
+      EXPECT_THAT(after.names(), testing::UnorderedElementsAreArray(odd));
+      EXPECT_THAT(after.meta().from.notes, testing::Contains("note of " + unit));
+      EXPECT_EQ(after.rows(), before.rows());
+    }
+  }
+}
+
+TEST(Write, TheEndingNamesTheFormat) {
+  EXPECT_EQ(written_format("", "a.h5").name, "hdf5");
+  EXPECT_EQ(written_format("", "a.hdf5").name, "hdf5");
+  EXPECT_EQ(written_format("", "a.sqlite").name, "jupedsim");
+  EXPECT_EQ(written_format("", "-").name, "csv");
+  EXPECT_EQ(written_format("npz", "a.csv").name, "npz");
+  EXPECT_THAT([] { written_format("xls", "a"); }, testing::ThrowsMessage<InputError>(HasSubstr("expected csv, hdf5, npz or jupedsim")));
+}
+
 TEST(WriteCsv, TheTextItself) {
   TrackColumns c;
   c.names = {"5"};

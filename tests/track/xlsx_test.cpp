@@ -116,5 +116,14 @@ TEST(Spreadsheet, ClaimsAreChecked) {
   EXPECT_THAT(error_of(book("<row>")), HasSubstr("this is no well-formed XML"));
 }
 
+TEST(Spreadsheet, WideTablesAreReadAsTheirTextWouldBe) {
+  const auto book = xlsx({{"Data", {{"frame", "x1", "y1", "x2", "y2"}, {"0", "1", "2", "3", "4"}, {"1", "1.5", "2", "3", "4.5"}}}});
+  const auto tracks = read(book, {.fps = 10, .unit = "m", .wide = true});
+  EXPECT_EQ(tracks.track_count(), 2U);
+  EXPECT_EQ(tracks.rows(), 4);
+  EXPECT_EQ(tracks.pos()(3, 1), 4.5);
+  EXPECT_EQ(tracks.meta().from.format, "xlsx");
+}
+
 }  // namespace
 }  // namespace swarmfit

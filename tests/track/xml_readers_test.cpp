@@ -80,5 +80,36 @@ TEST(TrackMate, ExportedTracks) {
   EXPECT_EQ(tracks.frame()[1], 5);
 }
 
+std::string point(const std::string& lat, const std::string& time) {
+  return "<trkpt lat=\"" + lat + "\" lon=\"8.5\"><ele>400</ele>" + (time.empty() ? "" : "<time>" + time + "</time>") + "</trkpt>\n";
+}
+std::string gpx(const std::string& tracks) { return "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\">\n" + tracks + "</gpx>\n"; }
+
+// A degree of latitude is 110.574 km at the equator and 111.694 km at the poles; at 47 degrees north 111.17 km (WGS 84).
+TEST(Gpx, TracksInMetres) {
+  const auto tracks = read(gpx("<wpt lat=\"1\" lon=\"2\"/><trk><name>ox</name><trkseg>\n" + point("47.000", "2020-01-01T00:00:00Z") +
+                               point("47.001", "2020-01-01T00:00:01Z") + point("47.002", "2020-01-01T00:00:02Z") +
+                               "</trkseg><trkseg></trkseg><trkseg>" + point("47.010", "2020-01-01T00:00:10Z") +
+                               "</trkseg></trk><trk><trkseg>" + point("47.002", "2020-01-01T00:00:00Z") + "</trkseg></trk>"));
+  EXPECT_EQ(tracks.meta().from.format, "gpx");
+  EXPECT_THAT(tracks.names(), ElementsAre("2", "ox"));
+  EXPECT_EQ(tracks.meta().unit, "m");
+  EXPECT_EQ(tracks.dt(), 1);
+  EXPECT_EQ(tracks.dims(), 2);
+  const auto rows = tracks.rows_of(1);
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_NEAR(tracks.pos()(rows[1], 1) - tracks.pos()(rows[0], 1), 111.17, 0.01);
+  EXPECT_EQ(tracks.next()[static_cast<std::size_t>(rows[2])], -1) << "a hole between the segments";
+}
+
+TEST(Gpx, WithoutTimesItIsNoRecording) {
+  EXPECT_EQ(error_of(gpx("<trk><trkseg>\n" + point("47", "") + "</trkseg></trk>")),
+            "f.csv:4: the point has no time; expected one in every point: without times it is a route and no recording");
+  EXPECT_THAT(error_of(gpx("<trk><trkseg>" + point("47", "12:00:00") + "</trkseg></trk>")), HasSubstr("'12:00:00' is no time"));
+  EXPECT_THAT(error_of(gpx("<trk><trkseg>" + point("north", "2020-01-01T00:00:00Z") + "</trkseg></trk>")),
+              HasSubstr("lat is 'north'; expected degrees"));
+  EXPECT_THAT(error_of(gpx("<trk/>")), HasSubstr("there are 1 tracks without a point in it"));
+}
+
 }  // namespace
 }  // namespace swarmfit
