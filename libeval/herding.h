@@ -11,10 +11,10 @@
 namespace swarmfit {
 
 struct HerdingOptions {
-  std::uint8_t sheep = 0, shepherd = 1;  // kinds
-  std::optional<Eigen::Array3d> target;  // where they are to go; where the flock's centre ends if not given
-  double home = 10;                      // the flock is home when its centre is nearer to the target than this, > 0 [unit]
-  double repulsion = 2;                  // r_a of Strömbom et al. 2014 (doi:10.1098/rsif.2014.0719), > 0 [unit]
+  std::uint8_t sheep = 0, shepherd = 1;       // kinds
+  std::optional<Eigen::Array3d> target = {};  // where they are to go; where the flock's centre ends if not given
+  double home = 10;                           // the flock is home when its centre is nearer to the target than this, > 0 [unit]
+  double repulsion = 2;                       // r_a of Strömbom et al. 2014 (doi:10.1098/rsif.2014.0719), > 0 [unit]
 };
 
 // Means are over the frames up to homecoming, or all of them. NaN where there is nothing to measure.

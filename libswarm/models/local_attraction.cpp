@@ -156,7 +156,8 @@ class LocalAttraction : public Model {
     const Index i = turn.row;
     const std::uint32_t id = state.id[static_cast<std::size_t>(i)];
     const Array3d heading = own_heading(state, i, c.rng), here = state.pos.row(i).transpose();
-    const double seen_from = -std::cos(c.p[kBlind] / 2);  // least cosine of the angle to the heading
+    // Least cosine of the angle to the heading; without a blind angle rounding hides nobody who is straight behind.
+    const double seen_from = c.p[kBlind] > 0 ? -std::cos(c.p[kBlind] / 2) : -2;
     const double radius2 = topological_ ? INFINITY : c.p[kRadius] * c.p[kRadius], rep2 = repels_ ? c.p[kRRep] * c.p[kRRep] : 0;
     Array3d sum = Array3d::Zero(), push = Array3d::Zero();
     double count = 0;
