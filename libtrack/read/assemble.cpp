@@ -207,9 +207,9 @@ class Assembly {
     if (!has(FileColumn::t)) return use_frames(stated, table_.t0);
     const auto time = ordered(FileColumn::t);
     if (has(FileColumn::frame) && stated > 0 && times_are_rounded(time, stated)) return use_frames(stated, table_.t0);
+    if (options_.resample && !(stated > 0) && !has(FileColumn::frame)) return use_fine_grid(time);
     FrameClock clock = has(FileColumn::frame) ? fit_known_frames(time, ordered(FileColumn::frame)) : fit_frame_clock(time, first_);
     if (!has(FileColumn::frame)) look_behind_rounding(clock, time, stated);
-    if (options_.resample && !(stated > 0) && (clock.dt == 0 || !clock.problem.empty())) return use_fine_grid(time);
     if (clock.dt == 0 && stated > 0) return use_rate(time, clock, stated);
     if (clock.dt == 0 && !(time.front() < time.back())) fail(clock.problem + "; expected `fps`, for example `fps` 25");
     if (!clock.problem.empty()) fail(clock.problem + "; expected time stamps at a constant interval (`fps` puts them on one)");
@@ -242,7 +242,7 @@ class Assembly {
       note(fmt::format("{}; rows were put on the nearest frame of {:.6g} s, by up to {:.3g} s away", clock.problem, stated, worst));
   }
 
-  // Irregular times that are resampled: on a grid so fine that the nearest frame is the time itself.
+  // Times that are resampled count as they stand: on a grid so fine that the nearest frame is the time itself.
   void use_fine_grid(const std::vector<double>& time) {
     const auto [first, last] = std::minmax_element(time.begin(), time.end());
     dt_ = 1 / (*options_.resample * kFine);

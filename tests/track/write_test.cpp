@@ -129,7 +129,7 @@ TEST(Write, ContainersGiveTheSameBitsBack) {
 }
 
 // JuPedSim's layout holds metres in two dimensions and no velocities.
-TEST(Write, JuPedSimGivesTheSameBitsBack) {
+TEST(Write, JuPedSimGivesTheSameNumbersBack) {
   auto before = awkward(2, false, false);
   EXPECT_THAT([&] { to_jupedsim(before); }, testing::ThrowsMessage<InputError>(HasSubstr("is in mm; expected `scale`, as in 0.01m/mm")));
   EXPECT_THAT([&] { to_jupedsim(awkward(3, false, false)); }, testing::ThrowsMessage<InputError>(HasSubstr("two dimensions")));
@@ -138,6 +138,7 @@ TEST(Write, JuPedSimGivesTheSameBitsBack) {
   meta.from.notes = {"one", "two"};
   TrackColumns columns = before.columns();
   columns.episodes.clear();
+  columns.pos(0, 0) = 0;  // SQLite has no -0
   before = Tracks(std::move(columns), std::move(meta));
   expect_the_same(before, read(to_jupedsim(before)));
 }
