@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,16 +22,16 @@ struct Common {
   bool quiet = false;
 };
 
-// What simulate and the gallery make, in simulation units.
+// What simulate is to play: a scenario or a model, and what of it is to be otherwise.
 struct SceneArguments {
-  std::string model;
+  std::string scene;  // name or file of a scenario, or a model
   std::vector<std::string> set;
-  std::uint64_t seed = 1;
-  int agents = 100, dims = 3;
-  std::int64_t frames = 500, warm_up = 0;
-  double fps = 100, box = 20, noise = 0, dropout = 0;
-  double start_radius = 0, start_speed = 0.3;
-  std::string unit = "su";
+  std::optional<std::uint64_t> seed;
+  std::optional<int> agents, dims;
+  std::optional<std::int64_t> frames, warm_up;
+  std::optional<double> fps, box, start_radius, start_speed;
+  std::optional<std::string> unit;
+  double noise = 0, dropout = 0;  // of the camera
 };
 
 struct Arguments {
@@ -60,6 +61,7 @@ struct Arguments {
   std::vector<std::string> formats;  // of report
   bool page = false, flags = false;  // of models: as Markdown; flags of its scene
   double max_time = 0;               // [s]; 0: none
+  bool check = false;                // of simulate: what the scenario expects
   bool resume = false;               // take up the checkpoint in `out`
 
   // What config.toml says of all this, name and TOML value.

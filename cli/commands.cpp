@@ -16,10 +16,10 @@
 namespace swarmfit::cli {
 namespace {
 
-const std::array<Command, 15> kCommands{{
+const std::array<Command, 16> kCommands{{
     {"describe", kDescribe, "what is in a recording and what is wrong with it", describe},
     {"convert", kConvert, "write a recording as CSV, cleaned and with its units", convert},
-    {"simulate", kSimulate, "trajectories from a model", simulate},
+    {"simulate", kSimulate, "trajectories from a scenario or a model", simulate},
     {"evaluate", kEvaluate, "seven energies and the order parameters of two recordings", evaluate},
     {"weigh", kWeigh, "entropy weights and scores of an energy table", weigh},
     {"fit", kFit, "best parameters of one model", fit},
@@ -30,7 +30,8 @@ const std::array<Command, 15> kCommands{{
     {"power", kPower, "before any ranking: which models could this recording tell apart, and how much more would it take?", power},
     {"merge", kMerge, "one study of the parts that recover or power made with --part", merge},
     {"models", kModels, "the models, their settings and parameters", list_models},
-    {"gallery", kGallery, "a page with every model in motion", gallery},
+    {"scenarios", kScenarios, "scenes to simulate: their names, or the file of one", list_scenarios},
+    {"gallery", kGallery, "a page with every scenario in motion", gallery},
     {"formats", kFormats, "the file formats that can be read", list_formats},
 }};
 

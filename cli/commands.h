@@ -26,6 +26,7 @@ int recover(const Arguments&);
 int power(const Arguments&);
 int gallery(const Arguments&);
 int list_models(const Arguments&);
+int list_scenarios(const Arguments&);
 int list_formats(const Arguments&);
 
 }  // namespace swarmfit::cli

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // describe, convert, simulate, and the lists.
+#include <fmt/format.h>
+
+#include <cmath>
 #include <cstdio>
 
 #include "cli/commands.h"
@@ -9,6 +12,7 @@
 #include "cli/style.h"
 #include "cli/version.h"
 #include "fit/compare/portrait.h"
+#include "fit/experiment/expect.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
 #include "libtrack/kinematics.h"
@@ -38,6 +42,25 @@ int list(const char* what, const std::vector<ListEntry>& entries, const Common& 
   return 0;
 }
 
+// Every number that a scene expects, what came and what should; 1 if they do not agree.
+int check(const std::vector<Finding>& all, bool json) {
+  bool met = true;
+  std::vector<ListEntry> entries;
+  for (const Finding& f : all) {
+    met = met && f.met();
+    const std::string bound = std::isinf(f.below)   ? fmt::format("at least {:g}", f.above)
+                              : std::isinf(f.above) ? fmt::format("at most {:g}", f.below)
+                                                    : fmt::format("{:g} to {:g}", f.above, f.below);
+    ListEntry entry{f.name, fmt::format("{} {:.4g}, expected {}: {}", f.measure, f.value, bound, f.met() ? "met" : "not met"), {}};
+    if (json)
+      entry.facts = {{"measure", f.measure}, {"value", fmt::format("{}", f.value)}, {"expected", bound}, {"met", f.met() ? "yes" : "no"}};
+    if (!f.published.empty()) entry.facts.emplace_back("published", f.published);
+    entries.push_back(std::move(entry));
+  }
+  print(json ? to_json("expectations", entries) : list_text(entries, style()));
+  return met ? 0 : 1;
+}
+
 }  // namespace
 
 int describe(const Arguments& a) {
@@ -57,15 +80,19 @@ int convert(const Arguments& a) {
 }
 
 int simulate(const Arguments& a) {
-  if (a.out.empty() && a.picture.empty() && a.html.empty())
-    throw InputError("simulate: nothing to write; expected --out FILE, --picture FILE or --html FILE");
-  const Scene scene = simulated(a.scene);
-  const Tracks& tracks = scene.tracks;
+  if (a.out.empty() && a.picture.empty() && a.html.empty() && !a.check)
+    throw InputError("simulate: nothing to write; expected --out FILE, --picture FILE, --html FILE or --check");
+  const Scenario scene = scenario_of(a.scene);
+  check_expectations(scene);
+  if (a.check && scene.expectations.empty())
+    throw InputError(fmt::format("--check: {} expects nothing; expected a scenario with [expect.NAME]", scene.name));
+  const Film made = film(scene, {.sigma = a.scene.noise, .dropout = a.scene.dropout});
+  const Tracks& tracks = made.tracks;
   if (!a.out.empty()) write_tracks(a.out, tracks);
   if (!a.picture.empty()) write_file_atomically(a.picture, picture_svg(tracks, scene.model.name));
   if (!a.html.empty())
     write_file_atomically(a.html, tracks_html(portrait(tracks), tracks.meta(), summarise(tracks), {a.line, kVersion, card_of(scene)}));
-  return 0;
+  return a.check ? check(findings(scene, made), a.common.json) : 0;
 }
 
 int list_models(const Arguments& a) {
@@ -77,7 +104,7 @@ int list_models(const Arguments& a) {
   }
   const ModelSpec& spec = *parse_model(a.name).spec;
   if (a.flags)
-    print(scene_flags(std::string(spec.name)) + '\n');
+    print(scene_showing(spec.name) + '\n');
   else if (a.page)
     print(model_page(spec));
   else if (a.common.json)
@@ -85,6 +112,16 @@ int list_models(const Arguments& a) {
   else
     print(model_manual(spec) + '\n' + list_text({model_entry(spec)}, style()));
   return 0;
+}
+
+int list_scenarios(const Arguments& a) {
+  if (!a.name.empty()) {
+    print(std::string(scenario_file(a.name).text));
+    return 0;
+  }
+  std::vector<ListEntry> entries;
+  for (const ScenarioFile& file : scenario_files()) entries.push_back(scenario_entry(scenario_named(file.name)));
+  return list("scenarios", entries, a.common);
 }
 
 int list_formats(const Arguments& a) {

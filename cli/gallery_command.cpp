@@ -1,29 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/commands.h"
 #include "cli/scenes.h"
 #include "cli/version.h"
+#include "fit/experiment/plant.h"
 #include "libtrack/file.h"
 #include "reports/recording/gallery_html.h"
 
 namespace swarmfit::cli {
 namespace {
 
-constexpr std::int64_t kFrames = 240;  // some seconds, and a page that stays small
+// A page that stays small: some seconds, and of a crowd some.
+constexpr std::int64_t kFrames = 200;
+constexpr std::uint32_t kAgents = 100;
+constexpr int kMostSimulated = 500;
+
+// The first agents only, at every n-th frame.
+Tracks thinned(const Tracks& tracks) {
+  TrackColumns some;
+  const auto& all = tracks.columns();
+  const auto frames = static_cast<std::int64_t>(tracks.frames().size());
+  const std::int64_t stride = std::max<std::int64_t>(1, (frames + kFrames - 1) / kFrames);
+  std::vector<Index> rows;
+  for (Index row = 0; row < tracks.rows(); ++row) {
+    const auto r = static_cast<std::size_t>(row);
+    if (all.track[r] >= kAgents || all.frame[r] % stride != 0) continue;
+    rows.push_back(row);
+    some.track.push_back(all.track[r]);
+    some.frame.push_back(all.frame[r] / stride);
+    if (!all.kind.empty()) some.kind.push_back(all.kind[r]);
+  }
+  some.names.assign(all.names.begin(), all.names.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(all.names.size(), kAgents)));
+  some.pos = all.pos(rows, Eigen::all);
+  TrackMeta meta = tracks.meta();
+  meta.dt *= static_cast<double>(stride);
+  return Tracks(std::move(some), std::move(meta));
+}
 
 }  // namespace
 
 int gallery(const Arguments& a) {
   std::vector<Exhibit> exhibits;
-  for (const ModelSpec& spec : models()) {
-    const std::string name(spec.name);
-    SceneArguments scene = scene_of(name);
-    scene.seed = a.common.seed;
-    scene.frames = kFrames;
-    const Scene made = simulated(scene);
-    exhibits.push_back(
-        {card_of(made), fmt::format("swarmfit simulate {0} {1} --html {0}.html", name, scene_flags(name, kFrames)), made.tracks});
+  for (const ScenarioFile& file : scenario_files()) {
+    Scenario scene = scenario_named(file.name);
+    if (a.scene.seed) scene.seed = *a.scene.seed;
+    scene.groups.front().agents = std::min(scene.groups.front().agents, kMostSimulated);
+    exhibits.push_back({card_of(scene), fmt::format("swarmfit simulate {0} --html {0}.html", scene.name), thinned(film(scene, {}).tracks)});
   }
   write_file_atomically(a.out, gallery_html(exhibits, kVersion));
   return 0;

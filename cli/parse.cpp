@@ -47,21 +47,6 @@ std::vector<ModelChoice> parse_models(const std::vector<std::string>& texts) {
   return choices;
 }
 
-std::vector<ModelChoice> preset_models(const std::string& preset) {
-  const std::vector<std::string> noise = {"bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian]", "bswarm[noise=white]"},
-                                 ablation = {"bswarm", "bswarm[noise=none]", "bswarm[interaction=off]"},
-                                 published = {"bswarm", "noise_aware", "boids", "rvo", "brownian", "langevin"};
-  if (preset == "noise") return parse_models(noise);
-  if (preset == "ablation") return parse_models(ablation);
-  if (preset == "models") return parse_models(published);
-  std::vector<std::string> all = noise;
-  all.insert(all.end(), ablation.begin() + 1, ablation.end());
-  all.insert(all.end(), published.begin() + 1, published.end());
-  for (const auto& spec : models())
-    if (std::find(all.begin(), all.end(), spec.name) == all.end()) all.emplace_back(spec.name);
-  return parse_models(all);
-}
-
 std::map<std::string, double> parse_assignments(const std::vector<std::string>& texts) {
   std::map<std::string, double> out;
   for (const auto& text : texts) {

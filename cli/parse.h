@@ -14,7 +14,6 @@ namespace swarmfit::cli {
 
 // "bswarm,boids[…],…" split at the commas outside brackets, each parsed; duplicates are refused.
 std::vector<ModelChoice> parse_models(const std::vector<std::string>& texts);
-std::vector<ModelChoice> preset_models(const std::string& preset);
 
 std::map<std::string, double> parse_assignments(const std::vector<std::string>& texts);                     // parameter=value
 std::map<std::string, std::map<std::string, double>> parse_planted(const std::vector<std::string>& texts);  // model.parameter=value

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/parts.h"
+#include "cli/presets.h"
 #include "cli/progress.h"
 #include "cli/recordings.h"
 #include "cli/style.h"
@@ -22,7 +23,7 @@ int power(const Arguments& a) {
   const PowerOptions options{a.compare, a.seeds};
   if (a.recordings.size() != 1) throw InputError("power: expected one recording");
   if (options.compare.models.size() < 2)
-    throw InputError("power: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
+    throw InputError(fmt::format("power: fewer than two models; expected -m A,B,... or --preset {}", preset_list()));
   const std::string dir = a.out.empty() ? "swarmfit-power" : a.out;
   if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
@@ -40,7 +41,7 @@ int power(const Arguments& a) {
   } catch (const Interrupted&) {
     return stopped_before_the_end(dir);
   }
-  result.fitted.version = kVersion;
+  result.fitted.run.version = kVersion;
   if (!cluster().first()) return 0;
   if (a.part.of > 1) return part_done(dir, a.part, a.common.quiet);
   write_power(dir, result, settings);

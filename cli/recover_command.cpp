@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/parts.h"
+#include "cli/presets.h"
 #include "cli/progress.h"
 #include "cli/style.h"
 #include "cli/version.h"
@@ -27,7 +28,7 @@ RecoveryOptions recovery_options(const Arguments& a) {
   o.compare = a.compare;
   if (a.parameters && o.compare.models.size() != 1) throw InputError("recover `parameters`: expected exactly one model, as in -m brownian");
   if (!a.parameters && o.compare.models.size() < 2)
-    throw InputError("recover: fewer than two models; expected -m A,B,... or --preset noise|ablation|models|all");
+    throw InputError(fmt::format("recover: fewer than two models; expected -m A,B,... or --preset {}", preset_list()));
   // Before it is filmed a group crosses itself, simulated frame by frame.
   if (const double crossing = o.scales.time() / o.film.dt; crossing > kLongestCrossing)
     throw InputError(

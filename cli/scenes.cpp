@@ -2,107 +2,119 @@
 #include "cli/scenes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "cli/parse.h"
 #include "fit/experiment/plant.h"
+#include "libswarm/centre.h"
+#include "libtrack/error.h"
+#include "libtrack/file.h"
 
 namespace swarmfit::cli {
 namespace {
 
-Bounds box(double side, int dims) {
-  Bounds bounds;
-  if (side <= 0) return bounds;
-  bounds.kind = Bounds::Kind::box;
-  bounds.lower.head(dims).setConstant(-0.5 * side);
-  bounds.upper.head(dims).setConstant(0.5 * side);
-  return bounds;
+const ScenarioFile* find_scenario(std::string_view name) {
+  const auto all = scenario_files();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const ScenarioFile& f) { return f.name == name; });
+  return found == all.end() ? nullptr : &*found;
 }
 
-struct Motif {
-  const char* model;
-  int agents;
-  std::int64_t frames, warm_up;
-  double fps, box, start_radius;
-  int dims;
-  std::vector<std::string> set;
-};
-
-// The last one is for all others.
-const std::vector<Motif>& motifs() {
-  static const std::vector<Motif> all = {
-      {"boids", 80, 40, 100, 60, 20, 0, 3, {"radius=3", "speed=4"}},
-      {"noise_aware", 70, 150, 300, 60, 0, 5, 3, {"cage=6", "scale=3"}},
-      {"vicsek", 90, 24, 12, 1, 0, 3.5, 2, {"radius=0.7"}},
-      {"rvo", 60, 50, 100, 20, 0, 3, 3, {"max_speed=0.8", "radius=0.15"}},
-      {"brownian", 60, 60, 300, 60, 0, 2, 3, {}},
-      {"langevin", 60, 80, 300, 60, 0, 2, 3, {}},
-      {"zonal", 80, 18, 1500, 10, 0, 4, 3, {"blind=1.5708"}},
-      {"", 60, 60, 300, 60, 20, 0, 3, {}},
-  };
-  return all;
+std::string scenario_names() {
+  std::vector<std::string_view> names;
+  for (const ScenarioFile& file : scenario_files()) names.push_back(file.name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
-const Motif& motif_of(const std::string& model) {
-  for (const Motif& m : motifs())
-    if (model == m.model) return m;
-  return motifs().back();
+bool is_file(std::string_view text) { return text.ends_with(".toml") || text.find('/') != text.npos; }
+
+// A scenario, or else a model.
+Scenario found(const SceneArguments& a) {
+  const std::string& text = a.scene;
+  if (find_scenario(text)) return scenario_named(text);
+  if (is_file(text)) return read_scenario(text, read_file(text));
+  try {
+    const ModelChoice model = parse_model(text);
+    const auto& dims = model.spec->dims;
+    return plain_scenario(model, a.dims.value_or(*std::max_element(dims.begin(), dims.end())));
+  } catch (const InputError& e) {
+    if (text.find('[') != text.npos) throw;
+    throw InputError(fmt::format("{}; a scenario: {}; or a file that ends on .toml", e.what(), scenario_names()));
+  }
+}
+
+void resize(Scenario& scene, int agents) {
+  if (scene.groups.size() > 1)
+    throw InputError(fmt::format("--agents: {} has {} groups; expected a scenario with one, or a file with other numbers", scene.name,
+                                 scene.groups.size()));
+  scene.groups.front().agents = agents;
+}
+
+// Another box: who began where the old one decides begins where the new one does.
+void rebox(Scenario& scene, const SceneArguments& a) {
+  if (a.box) scene.bounds = box_of(*a.box, scene.dims);
+  for (Group& g : scene.groups) {
+    Start& s = g.start;
+    if (a.start_radius || (a.box && s.shape == Start::Shape::ball)) {
+      s.shape = Start::Shape::ball;
+      s.radius = a.start_radius.value_or(0);
+      if (s.radius == 0 && scene.bounds.kind == Bounds::Kind::box) s.radius = (scene.bounds.upper - scene.bounds.lower)[0] / 4;
+      s.centre = middle_of(scene.bounds);
+    }
+    if (a.start_speed) s.speed = *a.start_speed;
+  }
 }
 
 }  // namespace
 
-Scene simulated(const SceneArguments& a) {
-  Scene scene{parse_model(a.model), {}, {}};
-  PlantOptions o;
-  o.dims = a.dims;
-  o.agents = a.agents;
-  o.frames = a.frames;
-  o.dt = 1 / a.fps;
-  o.substeps = std::max(1, static_cast<int>(std::ceil(o.dt / scene.model.spec->native_dt - 1e-9)));
-  o.warm_up = a.warm_up;
-  o.arena = box(a.box, a.dims);
-  o.start_radius = a.start_radius > 0 ? a.start_radius : a.box > 0 ? a.box / 4 : 1;
-  o.start_speed = a.start_speed;
-  o.sigma = a.noise;
-  o.dropout = a.dropout;
-  o.seed = a.seed;
-  o.unit = a.unit;
-  o.path = scene.model.name;
-  scene.parameters = scene_parameters(scene.model, parse_assignments(a.set));
-  scene.tracks = plant(scene.model, scene.parameters, o);
+const ScenarioFile& scenario_file(std::string_view name) {
+  if (const auto* file = find_scenario(name)) return *file;
+  throw InputError(fmt::format("scenario '{}': unknown; expected one of {}", name, scenario_names()));
+}
+
+Scenario scenario_named(std::string_view name) {
+  const ScenarioFile& file = scenario_file(name);
+  return read_scenario(fmt::format("scenarios/{}.toml", file.name), std::string(file.text));
+}
+
+Scenario scenario_of(const SceneArguments& a) {
+  Scenario scene = found(a);
+  if (a.dims && *a.dims != scene.dims)
+    throw InputError(fmt::format("--dims: {} is a scene in {} dimensions; expected {}", scene.name, scene.dims, scene.dims));
+  if (a.agents) resize(scene, *a.agents);
+  rebox(scene, a);
+  scene.seed = a.seed.value_or(scene.seed);
+  scene.frames = a.frames.value_or(scene.frames);
+  scene.warm_up = a.warm_up.value_or(scene.warm_up);
+  scene.unit = a.unit.value_or(scene.unit);
+  if (a.fps) scene.dt = 1 / *a.fps;
+  for (const auto& [name, value] : parse_assignments(a.set)) {
+    try {
+      set_parameter(scene, name, value);
+    } catch (const InputError& e) {
+      throw InputError(fmt::format("--set {}", e.what()));
+    }
+  }
   return scene;
 }
 
-ModelCard card_of(const Scene& scene) {
-  return {scene.model.name, std::string(scene.model.spec->summary), std::string(scene.model.spec->citation),
-          scene_table(scene.model, scene.parameters, scene.tracks.meta().unit)};
+ModelCard card_of(const Scenario& scene) {
+  return {scene.name, scene.title, scene.source, scene_table(scene.model, scene.parameters, scene.unit)};
 }
 
-SceneArguments scene_of(const std::string& model) {
-  const Motif& m = motif_of(model);
-  SceneArguments a;
-  a.model = model;
-  a.agents = m.agents;
-  a.frames = m.frames;
-  a.warm_up = m.warm_up;
-  a.fps = m.fps;
-  a.box = m.box;
-  a.start_radius = m.start_radius;
-  a.dims = m.dims;
-  a.set = m.set;
-  return a;
+ListEntry scenario_entry(const Scenario& scene) {
+  return {scene.name,
+          scene.title,
+          {{"model", scene.model.name},
+           {"agents", fmt::format("{} for {} frames of {:.3g} s", scene.agents(), scene.frames, scene.dt)},
+           {"source", scene.source}}};
 }
 
-std::string scene_flags(const std::string& model, std::int64_t frames) {
-  const Motif& m = motif_of(model);
-  std::string out =
-      fmt::format("--agents {} --frames {} --warm-up {} --fps {:g}", m.agents, frames > 0 ? frames : m.frames, m.warm_up, m.fps);
-  if (m.dims != 3) out += fmt::format(" --dims {}", m.dims);
-  if (m.box != 20) out += fmt::format(" --box {:g}", m.box);
-  if (m.start_radius > 0) out += fmt::format(" --start-radius {:g}", m.start_radius);
-  for (const auto& set : m.set) out += " --set " + set;
-  return out;
+std::string scene_showing(std::string_view model) {
+  for (const ScenarioFile& file : scenario_files())
+    if (scenario_named(file.name).shows == model) return std::string(file.name);
+  return std::string(model);
 }
 
 }  // namespace swarmfit::cli

@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Simulations in simulation units, as `simulate` and the gallery make them.
+// Scenarios as the program knows them: by name, by file, or as a model alone.
 #pragma once
 
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "cli/arguments.h"
-#include "libswarm/model.h"
-#include "libtrack/tracks.h"
+#include "libswarm/scenario/read.h"
 #include "reports/recording/model_card.h"
+#include "reports/write/list_text.h"
 
 namespace swarmfit::cli {
 
-struct Scene {
-  ModelChoice model;
-  std::vector<double> parameters;
-  Tracks tracks;
-};
-Scene simulated(const SceneArguments&);
+const ScenarioFile& scenario_file(std::string_view name);  // throws InputError naming those that there are
+Scenario scenario_named(std::string_view name);
 
-ModelCard card_of(const Scene&);
+// What simulate is asked for, with all that is to be otherwise. Throws InputError.
+Scenario scenario_of(const SceneArguments& a);
 
-// What shows best what a model is known for, in few frames; the defaults for models that need no help.
-SceneArguments scene_of(const std::string& model);
-// The same as flags of `simulate`, for another number of frames if one is given.
-std::string scene_flags(const std::string& model, std::int64_t frames = 0);
+ModelCard card_of(const Scenario& scene);
+ListEntry scenario_entry(const Scenario& scene);
+
+// The scenario that shows what a model is known for; its own name, which stands for it alone in a box, if there is none.
+std::string scene_showing(std::string_view model);
 
 }  // namespace swarmfit::cli

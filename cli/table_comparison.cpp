@@ -23,9 +23,9 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "protocol",
        .in = kComparisons,
-       .help = "default, or ren2016, the paper's literal choices: z-scores of each set by itself, no localisation error or rounding, the "
-               "fewest steps, all seven metrics, lag 1, the bare range for p2, pooled simulations, searches under the last weights, up to "
-               "ten passes; flags given beside it win",
+       .help = "default, or ren2016, the paper's literal choices (docs/ren2016.md): its five models, noises and parameters, the genetic "
+               "algorithm alone, z-scores of each set by itself, no localisation error or rounding, the fewest steps, lag 1; flags given "
+               "beside it win",
        .allowed = one_of({"default", "ren2016"}),
        .initial = "default",
        .use =
@@ -45,6 +45,23 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
              a.compare.budget = budget_named(v.text());
              if (a.compare.protocol == "ren2016") a.compare.budget.passes = kRen2016Passes;
            }},
+      {.name = "search",
+       .in = kComparisons,
+       .help = "full (default): scouts first, a refinement after the genetic algorithm, and settings of one model learn from each other; "
+               "genetic: the genetic algorithm alone, as published",
+       .allowed = one_of({"full", "genetic"}),
+       .initial = "full",
+       .ren2016 = "genetic",
+       .group = kSearch,
+       .use = [](Arguments& a, const Value& v) { a.compare.genetic_only = v.text() == "genetic"; }},
+      {.name = "searched",
+       .in = kComparisons,
+       .help = "which parameters: all that matter (default), or published, those of Ren et al. 2016 alone; --set, --fix and --bounds win",
+       .allowed = one_of({"all", "published"}),
+       .initial = "all",
+       .ren2016 = "published",
+       .group = kSearch,
+       .use = [](Arguments& a, const Value& v) { a.compare.requests.published = v.text() == "published"; }},
       {.name = "parameters",
        .in = kRecover,
        .help = "of one model: do the 95 % intervals of its parameters hold the true values? These are drawn from the whole range that is "
@@ -90,7 +107,7 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
   };
 }
 
-std::vector<Setting> conditions() {
+std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "presence",
        .in = kFits,
@@ -115,6 +132,19 @@ std::vector<Setting> conditions() {
        .allowed = whole(1, kMostIndividuals),
        .group = kConditions,
        .use = [](Arguments& a, const Value& v) { a.compare.conditions.population = v.whole<int>(); }},
+      {.name = "entry",
+       .in = kComparisons,
+       .help =
+           "how fast individuals enter simulations: estimated (default), as surely as the recording tells, or difference, that of their "
+           "first two positions",
+       .allowed = one_of({"estimated", "difference"}),
+       .initial = "estimated",
+       .ren2016 = "difference",
+       .group = kConditions,
+       .use =
+           [](Arguments& a, const Value& v) {
+             a.compare.conditions.entry = v.text() == "difference" ? EntryVelocity::difference : EntryVelocity::estimated;
+           }},
       {.name = "common",
        .in = kCompare,
        .help = "fit what all the models have in common once, with the first of them, and keep it (the paper's noise comparison)",

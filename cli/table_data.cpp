@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Settings: what a command works on, and how that is read.
 #include "cli/parse.h"
+#include "cli/presets.h"
 #include "cli/tables.h"
 #include "libtrack/clean.h"
 #include "libtrack/error.h"
@@ -59,11 +60,15 @@ std::vector<Setting> inputs() {  // NOLINT(readability-function-size): a table
        .allowed = texts(),
        .required = true,
        .use = [](Arguments& a, const Value& v) { a.dirs = v.words; }},
-      {.name = "MODEL",
+      {.name = "SCENE",
        .in = kSimulate,
-       .help = "model with settings: bswarm, 'bswarm[noise=white]'; see swarmfit models",
+       .help = "scenario, by name or file, see swarmfit scenarios; or a model with settings, alone in a box: bswarm, 'bswarm[noise=white]'",
        .required = true,
-       .use = [](Arguments& a, const Value& v) { a.scene.model = v.text(); }},
+       .use = [](Arguments& a, const Value& v) { a.scene.scene = v.text(); }},
+      {.name = "NAME",
+       .in = kScenarios,
+       .help = "one of them: writes its file, to be edited and given to simulate",
+       .use = [](Arguments& a, const Value& v) { a.name = v.text(); }},
       {.name = "NAME",
        .in = kModels,
        .help = "one model only, with its manual page",
@@ -76,14 +81,13 @@ std::vector<Setting> inputs() {  // NOLINT(readability-function-size): a table
        .use = [](Arguments& a, const Value& v) { a.compare.models = parse_models(v.words); }},
       {.name = "preset",
        .in = kCompare | kPower | kRecover,
-       .help = "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: bswarm, noise_aware, "
-               "boids, rvo, brownian and the null model langevin; all: these and every other model",
-       .allowed = one_of({"noise", "ablation", "models", "all"}),
+       .help = preset_help(),
+       .allowed = one_of(preset_names()),
        .travels = false,  // as the models it stands for
        .use =
            [](Arguments& a, const Value& v) {
              if (v.all.has("model")) throw InputError("given beside --model; expected one of them, not both");
-             a.compare.models = preset_models(v.text());
+             a.compare.models = preset_models(v.text(), v.all.text("protocol") == "ren2016");
            }},
       {.name = "plant",
        .in = kRecover,

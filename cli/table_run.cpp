@@ -22,7 +22,12 @@ std::vector<Setting> run_settings() {
        .help = "seed of every random number; same seed, same bits",
        .allowed = whole(0, kMostSeeds),
        .initial = "1",
-       .use = [](Arguments& a, const Value& v) { a.common.seed = a.compare.seed = a.scene.seed = v.whole<std::uint64_t>(); }},
+       .elsewhere = {kSimulate | kGallery, ""},  // those of the scenarios
+       .use =
+           [](Arguments& a, const Value& v) {
+             a.common.seed = a.compare.seed = v.whole<std::uint64_t>();
+             a.scene.seed = a.common.seed;
+           }},
       {.name = "threads",
        .in = kAll & ~kReport,
        .help = "threads to use, 0 for all cores; never changes a result",
@@ -116,7 +121,7 @@ std::vector<Setting> output_settings() {
        .use = [](Arguments& a, const Value& v) { a.page = v.on(); }},
       {.name = "scene",
        .in = kModels,
-       .help = "flags of simulate for a scene that shows what it is known for",
+       .help = "the scenario that shows what it is known for, or its own name",
        .allowed = on_or_off(),
        .use = [](Arguments& a, const Value& v) { a.flags = v.on(); }},
       {.name = "FILE", .in = kGallery, .help = "page to write, such as gallery.html", .required = true, .use = out},

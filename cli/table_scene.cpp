@@ -13,6 +13,10 @@ constexpr double kMostRecordings = 10'000;     // per model
 constexpr double kSlowest = 1e-6;              // frames per second: many steps of a model lie between two frames
 constexpr double kSmall = 1e-9, kLarge = 1e9;  // lengths and speeds, in any unit
 
+// Nothing that is not given is changed: a scenario says all, and a model alone stands for one with 100 agents for 500 frames of 0.01 s in a
+// box of side 20.
+constexpr decltype(Setting::elsewhere) kTheScenarios{kSimulate, ""};
+
 std::vector<Setting> of_both() {
   return {
       {.name = "fps",
@@ -20,6 +24,7 @@ std::vector<Setting> of_both() {
        .help = "frames per second",
        .allowed = above(kSlowest, kLarge),
        .initial = "100",
+       .elsewhere = kTheScenarios,
        .use =
            [](Arguments& a, const Value& v) {
              a.scene.fps = v.number();
@@ -30,7 +35,12 @@ std::vector<Setting> of_both() {
        .help = "2 or 3",
        .allowed = whole(2, 3),
        .initial = "3",
-       .use = [](Arguments& a, const Value& v) { a.scene.dims = a.recovery.film.dims = v.whole<int>(); }},
+       .elsewhere = kTheScenarios,
+       .use =
+           [](Arguments& a, const Value& v) {
+             a.recovery.film.dims = v.whole<int>();
+             a.scene.dims = a.recovery.film.dims;
+           }},
       {.name = "obs-noise",
        .in = kSimulate,
        .help = "localisation error to add to positions",
@@ -98,15 +108,13 @@ std::vector<Setting> of_simulate() {
            }},
       {.name = "agents",
        .in = kSimulate,
-       .help = "number of agents",
+       .help = "number of agents; of a scenario with one group",
        .allowed = whole(1, kMostAgents),
-       .initial = "100",
        .use = [](Arguments& a, const Value& v) { a.scene.agents = v.whole<int>(); }},
       {.name = "frames",
        .in = kSimulate,
        .help = "frames to write",
        .allowed = whole(1, kMostFrames),
-       .initial = "500",
        .use = [](Arguments& a, const Value& v) { a.scene.frames = v.whole<std::int64_t>(); }},
       {.name = "warm-up",
        .in = kSimulate,
@@ -117,23 +125,25 @@ std::vector<Setting> of_simulate() {
        .in = kSimulate,
        .help = "side of the reflecting box about the origin; 0 for open space",
        .allowed = number(0, kLarge),
-       .initial = "20",
        .use = [](Arguments& a, const Value& v) { a.scene.box = v.number(); }},
       {.name = "start-radius",
        .in = kSimulate,
-       .help = "agents start inside this radius; a quarter of the box if not given",
+       .help = "agents start inside this radius; 0: a quarter of the box",
        .allowed = number(0, kLarge),
        .use = [](Arguments& a, const Value& v) { a.scene.start_radius = v.number(); }},
       {.name = "start-speed",
        .in = kSimulate,
        .help = "speed at the start",
        .allowed = number(0, kLarge),
-       .initial = "0.3",
        .use = [](Arguments& a, const Value& v) { a.scene.start_speed = v.number(); }},
+      {.name = "check",
+       .in = kSimulate,
+       .help = "print the numbers that the scenario expects of its motion, and what came; exit code 1 if they disagree",
+       .allowed = on_or_off(),
+       .use = [](Arguments& a, const Value& v) { a.check = v.on(); }},
       {.name = "unit",
        .in = kSimulate,
        .help = "name of the length unit",
-       .initial = "su",
        .use = [](Arguments& a, const Value& v) { a.scene.unit = v.text(); }},
   };
 }

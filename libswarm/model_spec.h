@@ -48,6 +48,7 @@ struct Parameter {
   Length length = Length::extent;
   bool log = false;          // searched on a logarithmic scale; needs a positive lower bound
   bool fitted = false;       // searched by default
+  bool published = false;    // searched by Ren et al. 2016 (Tables S17 to S20, and λ in their comparison of noises)
   std::string when = {};     // used only with these options: "noise=curl|perlin,interaction=on" (| or, comma and); empty: always
   std::string needs = {};    // a part of the world without which it does nothing, as users call it: "stimuli"
   std::string meaning = {};  // one line

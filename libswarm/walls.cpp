@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "libswarm/distance_field.h"
+
 namespace swarmfit {
 namespace {
 
@@ -34,6 +36,11 @@ bool inside(const Obstacle& o, const Array3d& p, int dims) {
     const double radius = o.radius * (1 - kSkin);
     return dot(r, r) < radius * radius;
   }
+  if (o.shape == Obstacle::Shape::cylinder) return surface_of(o, p, dims).distance < -kSkin * o.radius;
+  if (o.shape == Obstacle::Shape::plane) {
+    const Array3d r = p - o.centre;
+    return dot(r, o.normal) < -kSkin * std::max(1.0, std::sqrt(dot(r, r)));
+  }
   bool within = true;
   for (Index axis = 0; axis < dims; ++axis) within = within && o.lower[axis] < p[axis] && p[axis] < o.upper[axis];
   return within;
@@ -48,6 +55,10 @@ Array3d put_out(const Obstacle& o, const Array3d& p, int dims) {
     const Array3d direction = distance > 0 ? Array3d(r / distance) : Array3d(1, 0, 0);
     for (Index axis = 0; axis < dims; ++axis) out[axis] = o.centre[axis] + o.radius * direction[axis];
     return out;
+  }
+  if (o.shape != Obstacle::Shape::box) {
+    const Surface s = surface_of(o, p, dims);
+    return p - s.distance * s.outward;
   }
   Index axis = 0;
   double least = std::numeric_limits<double>::infinity(), face = 0;
@@ -93,10 +104,71 @@ Hit meet_box(const Obstacle& o, const Array3d& start, const Array3d& way, int di
   return hit;
 }
 
+Hit meet_plane(const Obstacle& o, const Array3d& start, const Array3d& way) {
+  const double above = dot(start - o.centre, o.normal), towards = -dot(way, o.normal);
+  if (!(towards > 0)) return {};
+  Hit hit;
+  hit.share = std::max(0.0, above) / towards;
+  hit.place = start + hit.share * way;
+  hit.place -= dot(hit.place - o.centre, o.normal) * o.normal;
+  hit.outward = o.normal;
+  return hit;
+}
+
+Hit meet_side(const Obstacle& o, const Axis& axis, const Array3d& start, const Array3d& way) {
+  const Array3d r = start - axis.middle, across = r - dot(r, axis.unit) * axis.unit, d = way - dot(way, axis.unit) * axis.unit;
+  const double length2 = dot(d, d), along = dot(across, d), disc = along * along - length2 * (dot(across, across) - o.radius * o.radius);
+  if (!(along < 0) || !(disc > 0)) return {};
+  Hit hit;
+  hit.share = std::max(0.0, (-along - std::sqrt(disc)) / length2);
+  const Array3d there = r + hit.share * way;
+  const double height = dot(there, axis.unit);
+  if (std::abs(height) > axis.half) return {};
+  hit.outward = there - height * axis.unit;
+  hit.outward /= std::sqrt(dot(hit.outward, hit.outward));
+  if (dot(across, across) < o.radius * o.radius * (1 - kSkin)) return {};  // above or below it: the end is met first
+  hit.place = axis.middle + height * axis.unit + o.radius * hit.outward;
+  return hit;
+}
+
+Hit meet_end(const Obstacle& o, const Axis& axis, const Array3d& start, const Array3d& way) {
+  const Array3d r = start - axis.middle;
+  const double height = dot(r, axis.unit), side = height < 0 ? -1 : 1, above = side * height - axis.half;
+  const double towards = -side * dot(way, axis.unit);
+  if (!(towards > 0) || above < -kSkin * o.radius) return {};
+  Hit hit;
+  hit.share = std::max(0.0, above) / towards;
+  const Array3d there = r + hit.share * way, across = there - dot(there, axis.unit) * axis.unit;
+  if (dot(across, across) >= o.radius * o.radius) return {};
+  hit.place = axis.middle + across + side * axis.half * axis.unit;
+  hit.outward = side * axis.unit;
+  return hit;
+}
+
+Hit meet_cylinder(const Obstacle& o, const Array3d& start, const Array3d& way) {
+  const Axis axis(o);
+  const Hit side = meet_side(o, axis, start, way), end = meet_end(o, axis, start, way);
+  return side.share < end.share ? side : end;
+}
+
+Hit meet(const Obstacle& o, const Array3d& start, const Array3d& way, int dims) {
+  switch (o.shape) {
+    case Obstacle::Shape::sphere:
+      return meet_sphere(o, start, way, dims);
+    case Obstacle::Shape::box:
+      return meet_box(o, start, way, dims);
+    case Obstacle::Shape::cylinder:
+      return meet_cylinder(o, start, way);
+    case Obstacle::Shape::plane:
+      break;
+  }
+  return meet_plane(o, start, way);
+}
+
 Hit first_hit(const std::vector<Obstacle>& obstacles, const Array3d& start, const Array3d& way, int dims) {
   Hit first;
   for (const Obstacle& o : obstacles) {
-    Hit hit = o.shape == Obstacle::Shape::sphere ? meet_sphere(o, start, way, dims) : meet_box(o, start, way, dims);
+    Hit hit = meet(o, start, way, dims);
     hit.wall = o.wall;
     if (hit.share <= 1 && hit.share < first.share) first = hit;
   }
@@ -110,6 +182,21 @@ void turn(Array3d& a, const Hit& hit) {
 }
 
 }  // namespace
+
+Axis::Axis(const Obstacle& cylinder) : middle(0.5 * (cylinder.lower + cylinder.upper)), unit(cylinder.upper - cylinder.lower) {
+  const double length = std::sqrt(dot(unit, unit));
+  half = 0.5 * length;
+  unit /= length;
+}
+
+Array3d Axis::any_normal() const {
+  Index least = 0;
+  for (Index k = 1; k < 3; ++k)
+    if (std::abs(unit[k]) < std::abs(unit[least])) least = k;
+  Array3d across = -unit[least] * unit;
+  across[least] += 1;
+  return across / std::sqrt(dot(across, across));
+}
 
 bool Walls::hold(const Array3d& position, int dims) const {
   return std::any_of(obstacles_.begin(), obstacles_.end(), [&](const Obstacle& o) { return inside(o, position, dims); });

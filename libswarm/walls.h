@@ -7,14 +7,23 @@
 
 namespace swarmfit {
 
-// A solid body that nobody passes through. In two dimensions a sphere is a disc, a box a rectangle.
+// A solid body that nobody passes through. In two dimensions a sphere is a disc, a box a rectangle, a plane a line; there is no cylinder.
 struct Obstacle {
-  enum class Shape { box, sphere };
+  enum class Shape { box, sphere, cylinder, plane };
   Shape shape = Shape::sphere;
-  Eigen::Array3d lower = Eigen::Array3d::Zero(), upper = Eigen::Array3d::Zero();  // box
-  Eigen::Array3d centre = Eigen::Array3d::Zero();                                 // sphere
-  double radius = 0;                                                              // sphere, > 0 [unit]
+  Eigen::Array3d lower = Eigen::Array3d::Zero(), upper = Eigen::Array3d::Zero();  // box; cylinder: the centres of its ends
+  Eigen::Array3d centre = Eigen::Array3d::Zero();                                 // sphere; plane: a point of it
+  double radius = 0;                                                              // sphere, cylinder, > 0 [unit]
   Bounds::Wall wall = Bounds::Wall::reflect;
+  Eigen::Array3d normal = {1, 0, 0};  // plane: unit vector to the side where agents are; the other side is solid
+};
+
+// Of a cylinder.
+struct Axis {
+  explicit Axis(const Obstacle& cylinder);
+  Eigen::Array3d any_normal() const;  // a unit vector across it
+  Eigen::Array3d middle, unit;
+  double half;  // of its length
 };
 
 // All obstacles of a world. After every step each agent is outside all of them and inside the bounds, if it was before, and its path did

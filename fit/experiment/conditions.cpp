@@ -167,7 +167,8 @@ Conditions make_conditions(const Tracks& recording, const ConditionOptions& opti
   if (options.rounding) c.grid = rounding_grid(recording);
   c.world.dims = recording.dims();
   c.world.bounds = parse_arena(options.arena, recording);
-  const auto recorded = recorded_visits(recording, c.localisation.white ? c.localisation.sigma : Eigen::Array3d(Eigen::Array3d::Zero()));
+  const auto recorded =
+      recorded_visits(recording, c.localisation.white ? c.localisation.sigma : Eigen::Array3d(Eigen::Array3d::Zero()), options.entry);
   auto visits = options.presence == ConditionOptions::Presence::recorded ? recorded : constant_visits(recording, recorded);
   c.unseen = unseen_individuals(recording, options.population);
   const auto unseen = unseen_visits(recording, recorded, c.unseen);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "fit/experiment/entry.h"
 #include "libeval/localisation.h"
 #include "libeval/rounding.h"
 #include "libswarm/model.h"
@@ -28,6 +29,7 @@ struct ConditionOptions {
   // Steps per frame of all models that are no maps; 0: as many as each needs (fit/experiment/time_step.h), kFewestSteps: as few as are
   // stable.
   int steps = 0;
+  EntryVelocity entry = EntryVelocity::estimated;
 };
 inline constexpr int kFewestSteps = -1;
 

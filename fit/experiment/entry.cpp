@@ -143,11 +143,12 @@ std::span<const Index> run_from(const Tracks& tracks, std::span<const Index> row
 
 }  // namespace
 
-std::vector<Presence::Visit> recorded_visits(const Tracks& tracks, const Eigen::Array3d& sigma) {
+std::vector<Presence::Visit> recorded_visits(const Tracks& tracks, const Eigen::Array3d& sigma, EntryVelocity how) {
   std::vector<Presence::Visit> visits;
   std::vector<Axis> axes;
   const bool all_recorded = tracks.has_velocity() && tracks.vel().isFinite().all();
-  for (Index a = 0; a < tracks.dims() && !all_recorded; ++a) axes.emplace_back(tracks, a, sigma[a]);
+  const bool estimated = how == EntryVelocity::estimated && !all_recorded;
+  for (Index a = 0; a < tracks.dims() && estimated; ++a) axes.emplace_back(tracks, a, sigma[a]);
   const auto frame = tracks.frame();
   const auto episode_of = [&](std::int64_t f) {
     const auto e = tracks.episodes();
@@ -165,6 +166,8 @@ std::vector<Presence::Visit> recorded_visits(const Tracks& tracks, const Eigen::
       const bool recorded = tracks.has_velocity() && tracks.vel().row(first).isFinite().all();
       if (recorded) visit.vel = tracks.vel().row(first).transpose();
       const auto run = run_from(tracks, rows, k);
+      if (!estimated && !recorded && run.size() > 1)
+        visit.vel = (tracks.pos().row(run[1]) - tracks.pos().row(run[0])).transpose() / tracks.dt();
       for (std::size_t a = 0; a < axes.size() && !recorded; ++a) {
         const Entry entry = axes[a](run);
         visit.vel[static_cast<Index>(a)] = entry.velocity / tracks.dt();

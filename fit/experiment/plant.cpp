@@ -4,72 +4,48 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "fit/experiment/observe.h"
 #include "libswarm/centre.h"
-#include "libswarm/simulate.h"
+#include "libswarm/scenario/scenario.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
 namespace {
 
-// A random unit vector: uniform on the sphere, or on the circle in two dimensions (Archimedes' hat-box theorem).
-Eigen::Array3d direction(const std::array<double, 2>& u, int dims) {
-  const double angle = 2 * std::numbers::pi * u[0];
-  const double z = dims == 3 ? 2 * u[1] - 1 : 0;
-  const double radius = std::sqrt(1 - z * z);
-  return {radius * std::cos(angle), radius * std::sin(angle), z};
-}
-
-State start(const PlantOptions& o) {
-  const Rng rng{o.seed};
-  State state;
-  const Eigen::Array3d centre = middle_of(o.arena);
-  state.append(o.agents);
-  for (Index i = 0; i < state.size(); ++i) {
-    const std::uint32_t id = state.id[static_cast<std::size_t>(i)];
-    const double r = o.start_radius * std::pow(rng.uniform(Stream::start, 0, id, 0), 1.0 / o.dims);
-    state.pos.row(i) = (centre + r * direction(rng.uniform2(Stream::start, 0, id, 1), o.dims)).transpose();
-    state.vel.row(i) = (o.start_speed * direction(rng.uniform2(Stream::start, 0, id, 2), o.dims)).transpose();
-  }
-  return state;
-}
-
-// Drops the warm-up and what the camera missed; frame numbers start at 0.
-class Camera : public FrameSink {
+// Drops what the camera missed.
+class Dropouts : public FrameSink {
  public:
-  Camera(const PlantOptions& options, FrameSink& out)
-      : options_(options), out_(out), hidden_until_(static_cast<std::size_t>(options.agents), 0) {}
+  Dropouts(const Scenario& scene, const Camera& camera, FrameSink& out)
+      : rng_{scene.seed}, camera_(camera), out_(out), hidden_until_(static_cast<std::size_t>(scene.agents()), 0) {}
 
   void frame(const Snapshot& now) override {
-    const std::int64_t number = now.frame - options_.warm_up;
-    if (number < 0) return;
-    std::vector<std::uint32_t> id;
-    std::vector<std::uint8_t> kind;
-    std::vector<Index> rows;
+    id_.clear(), kind_.clear(), rows_.clear();
     for (std::size_t i = 0; i < now.id.size(); ++i) {
-      if (missed(now.id[i], number)) continue;
-      id.push_back(now.id[i]);
-      kind.push_back(now.kind[i]);
-      rows.push_back(static_cast<Index>(i));
+      if (missed(now.id[i], now.frame)) continue;
+      id_.push_back(now.id[i]);
+      kind_.push_back(now.kind[i]);
+      rows_.push_back(static_cast<Index>(i));
     }
-    const Rows pos = now.pos(rows, Eigen::all), vel = now.vel(rows, Eigen::all);
-    out_.frame({number, id, kind, pos, vel});
+    const Rows pos = now.pos(rows_, Eigen::all), vel = now.vel(rows_, Eigen::all);
+    out_.frame({now.frame, id_, kind_, pos, vel});
   }
 
  private:
-  bool missed(std::uint32_t id, std::int64_t number) {
-    const auto u = Rng{options_.seed}.uniform2(Stream::dropout, static_cast<std::uint64_t>(number), id);
+  bool missed(std::uint32_t id, std::int64_t frame) {
+    const auto u = rng_.uniform2(Stream::dropout, static_cast<std::uint64_t>(frame), id);
+    if (id >= hidden_until_.size()) hidden_until_.resize(id + std::size_t{1}, 0);  // arrived on the way
     auto& until = hidden_until_[id];
-    if (number >= until && u[0] < options_.dropout) until = number + 1 + static_cast<std::int64_t>(u[1] * options_.longest_gap);
-    return number < until;
+    if (frame >= until && u[0] < camera_.dropout) until = frame + 1 + static_cast<std::int64_t>(u[1] * camera_.longest_gap);
+    return frame < until;
   }
 
-  const PlantOptions& options_;
+  Rng rng_;
+  const Camera& camera_;
   FrameSink& out_;
   std::vector<std::int64_t> hidden_until_;
+  std::vector<std::uint32_t> id_;
+  std::vector<std::uint8_t> kind_;
+  std::vector<Index> rows_;
 };
 
 }  // namespace
@@ -106,31 +82,42 @@ std::vector<ParameterResult> scene_table(const ModelChoice& model, const std::ve
   return table;
 }
 
+Film film(const Scenario& scene, const Camera& camera) {
+  TrackCollector collector, stimuli;
+  const double sigma = camera.sigma;
+  Observer error(nullptr, scene.dims == 3 ? Eigen::Array3d::Constant(sigma) : Eigen::Array3d(sigma, sigma, 0), {scene.seed}, collector);
+  Dropouts dropouts(scene, camera, error);
+  Film made;
+  made.count = play(scene, dropouts, &stimuli);
+  made.tracks = collector.take(meta_of(scene));
+  made.stimuli = stimuli.take(meta_of(scene));
+  return made;
+}
+
 Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, const PlantOptions& options) {
-  TrackCollector collector;
-  Observer error(nullptr, options.dims == 3 ? Eigen::Array3d::Constant(options.sigma) : Eigen::Array3d(options.sigma, options.sigma, 0),
-                 {options.seed}, collector);
-  Camera camera(options, error);
-  Plan plan;
-  plan.frame_dt = options.dt;
-  plan.substeps = options.substeps;
-  plan.frames = options.warm_up + options.frames;
-  const auto rule = make_model(model, {.dims = options.dims, .scales = options.scales, .step = plan.frame_dt / plan.substeps});
-  World world;
-  world.dims = options.dims;
-  world.bounds = options.arena;
-  Lane lane{parameters, {options.seed}, start(options), world, &camera, {}, false};
-  cpu_backend().run(*rule, plan, {&lane, 1});
-  if (lane.blew_up) throw InputError(model.name + ": the simulation blew up; expected parameters and a time step that keep motion finite");
-  TrackMeta meta;
-  meta.dims = options.dims;
-  meta.dt = options.dt;
-  meta.unit = options.unit;
-  meta.from.path = options.path;
+  Scenario scene;
+  scene.name = options.path;
+  scene.model = model;
+  scene.parameters = parameters;
+  scene.scales = options.scales;
+  scene.dims = options.dims;
+  scene.frames = options.frames;
+  scene.warm_up = options.warm_up;
+  scene.dt = options.dt;
+  scene.substeps = options.substeps;
+  scene.seed = options.seed;
+  scene.unit = options.unit;
+  scene.bounds = options.arena;
+  Group& group = scene.groups.front();
+  group.agents = options.agents;
+  group.start.centre = middle_of(options.arena);
+  group.start.radius = options.start_radius;
+  group.start.speed = options.start_speed;
+  Tracks tracks = film(scene, {options.sigma, options.dropout, options.longest_gap}).tracks;
+  if (options.notes.empty()) return tracks;
+  TrackMeta meta = tracks.meta();
   meta.from.notes = options.notes;
-  meta.from.format = "simulated";
-  meta.from.synthetic = true;
-  return collector.take(meta);
+  return Tracks(tracks.columns(), std::move(meta));
 }
 
 }  // namespace swarmfit

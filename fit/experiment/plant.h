@@ -2,12 +2,31 @@
 // Synthetic recordings: a model with known parameters, filmed by a camera with known faults.
 #pragma once
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "libswarm/model.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
 
+struct Scenario;  // libswarm/scenario/scenario.h
+
+// What a camera does to a scene.
+struct Camera {
+  double sigma = 0;     // localisation error per axis [unit]
+  double dropout = 0;   // probability per individual and frame that a gap begins
+  int longest_gap = 5;  // gaps last 1 .. longest_gap frames, all equally likely
+};
+
+struct Film {
+  Tracks tracks;   // ids are agent numbers
+  Tracks stimuli;  // and goals: those that there are, seen without error; kind 0 attracts, 1 repels
+  Counters count;
+};
+
+// Plays a scene in front of a camera. Throws InputError if the model refuses it, or the simulation blows up.
+Film film(const Scenario& scene, const Camera& camera);
+
+// A group in an arena, nothing else: a scene in short.
 struct PlantOptions {
   int dims = 3;
   int agents = 20;
@@ -19,9 +38,9 @@ struct PlantOptions {
   double start_radius = 1;   // agents start uniformly in a ball (disc) of this radius about the origin, or the arena's centre [unit]
   Scales scales;             // what the model is told of the group's size and speed
   double start_speed = 1;    // and in random directions at this speed [unit/s]
-  double sigma = 0;          // localisation error per axis [unit]
-  double dropout = 0;        // probability per individual and frame that a gap begins
-  int longest_gap = 5;       // gaps last 1 .. longest_gap frames, all equally likely
+  double sigma = 0;          // of the camera
+  double dropout = 0;
+  int longest_gap = 5;
   std::uint64_t seed = 1;
   std::string unit = "su";
   std::string path;  // shown as where it comes from

@@ -70,12 +70,14 @@ void SearchSpace::look_up_speed(const Scales& scales, double& value, Axis& axis)
 
 SearchSpace::SearchSpace(const ModelChoice& model, const Scales& scales, const ParameterRequests& requests) : model_(model) {
   const auto& table = model.spec->parameters;
+  const bool only_published =
+      requests.published && std::any_of(table.begin(), table.end(), [](const Parameter& row) { return row.published; });
   for (std::size_t p = 0; p < table.size(); ++p) {
     const double unit = table[p].scale(scales);
     base_.push_back(table[p].fit.initial * unit);
     axes_.push_back({table[p].fit.lower * unit, table[p].fit.upper * unit, table[p].log, table[p].integer});
     if (table[p].shown == Parameter::Shown::speed) look_up_speed(scales, base_.back(), axes_.back());
-    if (table[p].fitted && model.spec->uses(p, model.options)) searched_.push_back(p);
+    if (table[p].fitted && !(only_published && !table[p].published) && model.spec->uses(p, model.options)) searched_.push_back(p);
   }
   apply(model, requests);
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fit/optimise/genetic.h"
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "libswarm/model.h"
 
 namespace swarmfit {
@@ -17,6 +17,7 @@ struct ParameterRequests {
   std::map<std::string, double> set;                        // --set: value; not searched unless bounds are given too
   std::map<std::string, bool> fix;                          // --fix: keep at its default
   std::map<std::string, std::pair<double, double>> bounds;  // --bounds: searched within these [physical units]
+  bool published = false;  // of a model whose published fit is known, only what that searched (Parameter::published)
 };
 
 // The parameters of one model in one recording: what is searched, between which bounds, and what the rest is.

@@ -97,6 +97,7 @@ struct SearchOptions {
   GeneticOptions genetic;     // its planned evaluations or max_evaluations, whichever is less, is the budget of everything
   RefineOptions refine;       // its evaluations follow from the budget
   double refine_share = 0.2;  // of the budget that the genetic algorithm leaves to the refinement, in [0, 1)
+  bool genetic_only = false;  // neither refinement nor response surface
 };
 
 // What a whole search found; `generations` and `stop` are the genetic algorithm's. On a rough landscape the cheapest point is mostly a

@@ -62,11 +62,11 @@ Found search(int dimensions, const BatchCost& cost, const SearchOptions& options
   }
   const std::int64_t budget = budget_of(options.genetic);
   GeneticOptions genetic = options.genetic;
-  genetic.max_evaluations =
-      std::max<std::int64_t>(1, budget - static_cast<std::int64_t>(options.refine_share * static_cast<double>(budget)));
+  const double refine_share = options.genetic_only ? 0 : options.refine_share;
+  genetic.max_evaluations = std::max<std::int64_t>(1, budget - static_cast<std::int64_t>(refine_share * static_cast<double>(budget)));
   Found found{genetic_search(dimensions, cost, genetic, rng, start, on_generation), {{}, std::numeric_limits<double>::quiet_NaN()}, 0};
   if (found.best.empty()) return found;
-  if (found.stop != Stop::interrupted) {
+  if (found.stop != Stop::interrupted && !options.genetic_only) {
     RefineOptions refinement = options.refine;
     refinement.starts = std::clamp(refinement.starts, 1, static_cast<int>(found.best.size()));
     refinement.evaluations = static_cast<int>((budget - found.evaluations - 1) / refinement.starts);
@@ -79,7 +79,7 @@ Found search(int dimensions, const BatchCost& cost, const SearchOptions& options
     }
   }
   found.recommended = found.best.front();
-  if (found.stop != Stop::interrupted && found.evaluations < budget) try_response_surface(found, cost, start);
+  if (found.stop != Stop::interrupted && !options.genetic_only && found.evaluations < budget) try_response_surface(found, cost, start);
   return found;
 }
 

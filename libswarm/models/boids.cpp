@@ -78,9 +78,9 @@ const std::vector<Parameter>& parameter_table() {
   // clang-format off
   static const std::vector<Parameter> table{
       {.row = kSpeed, .name = "speed", .symbol = "v", .unit = {1, -1}, .scene = {7.5, 0.1, 10}, .fit = {1, 0.1, 4}, .log = true,
-       .fitted = true, .meaning = "constant speed", .source = "Table S17", .shown = Parameter::Shown::speed},
+       .fitted = true, .published = true, .meaning = "constant speed", .source = "Table S17", .shown = Parameter::Shown::speed},
       {.row = kRadius, .name = "radius", .symbol = "r", .unit = {1, 0}, .scene = {0.26, 0.01, 10}, .fit = {1.5, 0.1, 10}, .length = spacing,
-       .log = true, .fitted = true, .meaning = "radius of perception", .source = "Table S17"},
+       .log = true, .fitted = true, .published = true, .meaning = "radius of perception", .source = "Table S17"},
       {.row = kTau, .name = "tau", .symbol = "τ", .unit = {0, 1}, .scene = {0.2, 0.01, 10}, .fit = {0.5, 0.05, 10}, .log = true,
        .fitted = true, .meaning = "turning time", .source = "our choice"},
   };

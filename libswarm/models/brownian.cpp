@@ -243,13 +243,13 @@ const std::vector<Parameter>& parameter_table() {
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{
-      {.row = kGamma1, .name = "gamma1", .symbol = "γ_1", .unit = {0, -1}, .scene = {0.2156, -20, 20}, .fit = {1, -5, 5}, .fitted = true,
+      {.row = kGamma1, .name = "gamma1", .symbol = "γ_1", .unit = {0, -1}, .scene = {0.2156, -20, 20}, .fit = {1, -5, 5}, .fitted = true, .published = true,
        .when = rayleigh, .meaning = "propulsion of a slow agent; negative: friction", .source = "Table S17, there r1"},
-      {.row = kGamma2, .name = "gamma2", .symbol = "γ_2", .unit = {-2, 1}, .scene = {3.8959, 0, 100}, .fit = {1, 0, 10}, .fitted = true,
+      {.row = kGamma2, .name = "gamma2", .symbol = "γ_2", .unit = {-2, 1}, .scene = {3.8959, 0, 100}, .fit = {1, 0, 10}, .fitted = true, .published = true,
        .when = rayleigh, .meaning = "cubic friction", .source = "Table S17, there r2"},
-      {.row = kD, .name = "D", .symbol = "D", .unit = {2, -3}, .scene = {0.9585, 0, 20}, .fit = {0.5, 0, 5}, .fitted = true,
+      {.row = kD, .name = "D", .symbol = "D", .unit = {2, -3}, .scene = {0.9585, 0, 20}, .fit = {0.5, 0, 5}, .fitted = true, .published = true,
        .meaning = "intensity of the noise", .source = "Table S17"},
-      {.row = kCr, .name = "C_r", .symbol = "C_r", .unit = {2, -2}, .scene = {0.0368, 0, 20}, .fit = {0.1, 0, 2}, .fitted = true,
+      {.row = kCr, .name = "C_r", .symbol = "C_r", .unit = {2, -2}, .scene = {0.0368, 0, 20}, .fit = {0.1, 0, 2}, .fitted = true, .published = true,
        .when = repulsion, .meaning = "energy of repulsion", .source = "Table S17"},
       {.row = kK, .name = "k", .symbol = "k", .unit = {0, -2}, .scene = {1, 0, 20}, .fit = {1, 0, 5}, .fitted = true,
        .when = "confinement=harmonic",

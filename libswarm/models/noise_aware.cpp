@@ -3,11 +3,11 @@
 // noise_aware – insects carried by a divergence-free noise field
 // ===============================================================
 // X. Wang, X. Jin, Z. Deng, L. Zhou, Inherent noise-aware insect swarm simulation, Computer Graphics Forum 33(6), 51-62, 2014
-// (doi:10.1111/cgf.12277), in free space and without a goal (s0 = 0): the form whose two parameters (scale, gain) Ren et al. 2016
-// (doi:10.1371/journal.pone.0155698) fit in their Tables S17-S20. Equations 2 and 3 are the paper's, after Bridson et al. 2007
+// (doi:10.1111/cgf.12277). In free space and without a goal it is the form whose two parameters (scale, gain) Ren et al. 2016
+// (doi:10.1371/journal.pone.0155698) fit in their Tables S17-S20. Equations 2, 3 and 9 are the paper's, after Bridson et al. 2007
 // (doi:10.1145/1276377.1276435).
 //
-//   dx/dt = V(x) = curl N(x)                      first order: agents have no inertia, and do not see each other
+//   dx/dt = V(x) = curl N(x) + V_g(x)             first order: agents have no inertia, and do not see each other       (9)
 //   N     = alpha P + (1 - alpha) (n·P) n         P(x) = gain · Perlin noise of x / scale                           (2)
 //   alpha = ramp(d / d0)                          ramp(r) = 15/8 r - 10/8 r³ + 3/8 r⁵, 0 below 0, 1 above 1         (3)
 //   d: distance inwards from the cage, a sphere; n: its normal; d0 = scale, at most the radius of the cage
@@ -15,6 +15,10 @@
 // At the cage the flow is tangential, so nobody leaves. (The paper says that alpha grows towards the boundary; its formula says the
 // opposite, and is right.) In two dimensions V = (dN/dy, -dN/dx) with the scalar N = alpha P. The root-mean-square speed away from the
 // cage is 1.72 gain / scale, 1.00 gain / scale in two dimensions: a smaller scale means finer vortices and, in proportion, faster ones.
+//
+// In a world with goals V_g = -speed grad C / |grad C| (Eq 8), C the least cost of getting to a goal round the obstacles (paths.h); in a
+// goal V_g = 0. Obstacles are boundaries of the noise, too, with d and n of the nearest surface. There curl N is taken by central
+// differences over a thousandth of the scale.
 //
 // The cage is the arena where that is a sphere. Elsewhere its centre is that of the arena or, in a fit, the mean of all recorded
 // positions, and its radius is `cage`, or the distance of the farthest recorded position where that is greater: a boundary beyond the
@@ -35,8 +39,10 @@
 
 #include "libswarm/centre.h"
 #include "libswarm/decision_clock.h"
+#include "libswarm/distance_field.h"
 #include "libswarm/noise.h"
 #include "libswarm/parallel.h"
+#include "libswarm/paths.h"
 
 namespace swarmfit {
 namespace {
@@ -44,7 +50,7 @@ namespace {
 using Eigen::Array3d;
 
 // Rows of the parameter table, in its order.
-enum Row : std::size_t { kScale, kGain, kCage, kHold };
+enum Row : std::size_t { kScale, kGain, kCage, kHold, kSpeed };
 
 enum class Noise { curl, perlin, white };
 
@@ -53,6 +59,7 @@ double white_as_strong_as_curl(int dims) { return dims == 2 ? 1.23 : 1.72; }
 
 constexpr double kTravel = 1.0 / 8;  // longest midpoint step, in units of d0
 constexpr int kMostParts = 64;
+constexpr double kDifference = 1e-3;  // of the scale, for derivatives near obstacles
 
 // 15/8 r - 10/8 r³ + 3/8 r⁵ and its slope.
 struct Ramp {
@@ -80,11 +87,14 @@ struct Field : Workspace {
 // The velocity field of one step.
 class Flow {
  public:
-  Flow(const NoiseField& field, Noise noise, int dims, const Sphere& cage, const StepContext& c)
+  Flow(const NoiseField& field, Noise noise, const World& world, const Sphere& cage, const StepContext& c)
       : field_(field),
         noise_(noise),
-        dims_(dims),
+        dims_(world.dims),
         cage_(cage),
+        walls_(world.part<Walls>()),
+        paths_(c.p[kSpeed] > 0 ? world.part<Paths>() : nullptr),
+        speed_(c.p[kSpeed]),
         scale_(c.p[kScale]),
         strength_(c.p[kGain] / c.p[kScale]),
         width_(std::min(scale_, cage.radius)),
@@ -92,20 +102,14 @@ class Flow {
         draw_(static_cast<std::uint64_t>(decisions_before(c.t + c.dt, c.p[kHold])) & 0xFFFFFFFFFFFFu) {}
 
   Array3d operator()(const Array3d& x, std::uint32_t id) const {
-    const Array3d from = x - cage_.centre;
-    const double r = std::sqrt(from.square().sum());
-    const double into = (cage_.radius - r) / width_;  // may reach the centre, where there is no direction: the ramp is 1 there
-    const Wall wall{ramp(into), r > 0 ? Array3d(from / r) : Array3d(Array3d::Zero()), r};
-    if (noise_ == Noise::curl) return strength_ * (into >= 1 ? free_curl(x / scale_) : dims_ == 2 ? curl2(x, wall) : curl3(x, wall));
-    const Array3d v = strength_ * (noise_ == Noise::perlin ? potential_as_strong_as_curl(dims_) * field_.potential(x / scale_)
-                                                           : white_as_strong_as_curl(dims_) * white_noise(rng_, draw_, id));
-    return damped(flat(v), wall);
+    return paths_ ? Array3d(drift(x, id) + speed_ * paths_->direction(x)) : drift(x, id);
   }
 
   // Midpoint steps of the stream line through x.
   Array3d carried(Array3d x, std::uint32_t id, double dt) const {
     const double speed = std::sqrt((*this)(x, id).square().sum());
-    const int parts = static_cast<int>(std::clamp(std::ceil(speed * dt / (kTravel * width_)), 1.0, static_cast<double>(kMostParts)));
+    const double longest = paths_ ? std::min(kTravel * width_, 0.5 * paths_->cell()) : kTravel * width_;
+    const int parts = static_cast<int>(std::clamp(std::ceil(speed * dt / longest), 1.0, static_cast<double>(kMostParts)));
     const double h = dt / parts;
     const double farthest = std::max(cage_.radius, std::sqrt((x - cage_.centre).square().sum()));
     for (int k = 0; k < parts; ++k) x = within(farthest, x + h * (*this)(within(farthest, x + 0.5 * h * (*this)(x, id)), id));
@@ -118,6 +122,47 @@ class Flow {
     Array3d outward;  // unit vector from the centre
     double r;         // distance from the centre
   };
+
+  Array3d drift(const Array3d& x, std::uint32_t id) const {
+    if (walls_)
+      if (const Surface s = nearest_surface(walls_->obstacles(), x, dims_); s.distance < width_) return beside(x, s, id);
+    const Array3d from = x - cage_.centre;
+    const double r = std::sqrt(from.square().sum());
+    const double into = (cage_.radius - r) / width_;  // may reach the centre, where there is no direction: the ramp is 1 there
+    const Wall wall{ramp(into), r > 0 ? Array3d(from / r) : Array3d(Array3d::Zero()), r};
+    if (noise_ == Noise::curl) return strength_ * (into >= 1 ? free_curl(x / scale_) : dims_ == 2 ? curl2(x, wall) : curl3(x, wall));
+    const Array3d v = strength_ * (noise_ == Noise::perlin ? potential_as_strong_as_curl(dims_) * field_.potential(x / scale_)
+                                                           : white_as_strong_as_curl(dims_) * white_noise(rng_, draw_, id));
+    return damped(flat(v), wall);
+  }
+
+  // Near an obstacle: the curl of the bent potential by central differences; other noise loses what points into the obstacle.
+  Array3d beside(const Array3d& x, const Surface& surface, std::uint32_t id) const {
+    if (noise_ != Noise::curl) {
+      const Array3d v = strength_ * (noise_ == Noise::perlin ? potential_as_strong_as_curl(dims_) * field_.potential(x / scale_)
+                                                             : white_as_strong_as_curl(dims_) * white_noise(rng_, draw_, id));
+      return damped(flat(v), {ramp(surface.distance / width_), -surface.outward, 0});
+    }
+    const double h = kDifference * scale_;
+    Eigen::Array33d slope;  // column k: derivative along axis k
+    for (Index axis = 0; axis < dims_; ++axis) {
+      Array3d step = Array3d::Zero();
+      step[axis] = h;
+      slope.col(axis) = (bent(x + step) - bent(x - step)) / (2 * h);
+    }
+    const double gain = strength_ * scale_;
+    if (dims_ == 2) return gain * Array3d(slope(0, 1), -slope(0, 0), 0);
+    return gain * Array3d(slope(2, 1) - slope(1, 2), slope(0, 2) - slope(2, 0), slope(1, 0) - slope(0, 1));
+  }
+
+  // N / gain (Eq 2); in two dimensions its first component alone counts.
+  Array3d bent(const Array3d& x) const {
+    const Surface s = nearest_surface(walls_->obstacles(), x, dims_);
+    const Array3d p = field_.potential(x / scale_);
+    const double alpha = ramp(s.distance / width_).value;
+    if (dims_ == 2) return alpha * p;
+    return alpha * p + (1 - alpha) * (s.outward * p).sum() * s.outward;
+  }
 
   Array3d flat(const Array3d& v) const { return dims_ == 2 ? Array3d(v[0], v[1], 0) : v; }
   Array3d free_curl(const Array3d& u) const { return dims_ == 2 ? field_.curl2(u) : field_.curl(u); }
@@ -157,6 +202,9 @@ class Flow {
   Noise noise_;
   int dims_;
   Sphere cage_;
+  const Walls* walls_;
+  const Paths* paths_;
+  double speed_;
   double scale_, strength_;
   double width_;  // d0
   Rng rng_;
@@ -175,7 +223,7 @@ class NoiseAware : public Model {
   std::unique_ptr<Workspace> workspace(const World&, const Rng& rng) const override { return std::make_unique<Field>(rng); }
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
-    const Flow flow(static_cast<const Field*>(c.work)->noise, noise_, dims_, cage(world.bounds, c), c);
+    const Flow flow(static_cast<const Field*>(c.work)->noise, noise_, world, cage(world.bounds, c), c);
     for_each_agent(now.size(), [&](Index i, std::size_t) {
       const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
       const Array3d x = flow.carried(now.pos.row(i).transpose(), id, c.dt);
@@ -209,15 +257,17 @@ const std::vector<Parameter>& parameter_table() {
   // clang-format off
   static const std::vector<Parameter> table{
       {.row = kScale, .name = "scale", .symbol = "scale", .unit = {1, 0}, .scene = {2.1368, 0.05, 20}, .fit = {0.5, 0.15, 2}, .log = true,
-       .fitted = true, .when = "noise=curl|perlin", .meaning = "feature size of the noise field", .source = "Table S17"},
+       .fitted = true, .published = true, .when = "noise=curl|perlin", .meaning = "feature size of the noise field", .source = "Table S17"},
       {.row = kGain, .name = "gain", .symbol = "gain", .unit = {2, -1}, .scene = {1.2394, 0.01, 20}, .fit = {0.35, 0.05, 2.5}, .log = true,
-       .fitted = true, .meaning = "amplitude of the potential; the speed is 1.72 gain / scale", .source = "Table S17"},
+       .fitted = true, .published = true, .meaning = "amplitude of the potential; the speed is 1.72 gain / scale", .source = "Table S17"},
       {.row = kCage, .name = "cage", .symbol = "R", .unit = {1, 0}, .scene = {10, 0.1, 1000}, .fit = {3, 1, 10}, .log = true,
        .fitted = true,
        .meaning = "radius of the cage; in a fit it holds at least all recorded positions",
        .source = "our choice: beyond the swarm, as in section 4 of the paper"},
       {.row = kHold, .name = "hold", .symbol = "τ", .unit = {0, 1}, .scene = {1.0 / 60, 1e-4, 10}, .fit = {0.05, 0.001, 10}, .log = true,
        .when = "noise=white", .meaning = "how long a white velocity lasts", .source = "our choice: the paper's frame"},
+      {.row = kSpeed, .name = "speed", .symbol = "s0", .unit = {1, -1}, .scene = {0, 0, 100}, .fit = {0, 0, 10}, .needs = "goals",
+       .meaning = "speed towards a goal", .source = "Eq 8; Table 1"},
   };
   // clang-format on
   return table;

@@ -148,13 +148,13 @@ const std::vector<Parameter>& parameter_table() {
   // clang-format off
   static const std::vector<Parameter> table{
       {.row = kRange, .name = "neighbour_distance", .symbol = "d_max", .unit = {1, 0}, .scene = {0.4022, 0.01, 40}, .fit = {3, 0.5, 10},
-       .length = spacing, .log = true, .fitted = true, .meaning = "range of avoidance", .source = "Table S17"},
+       .length = spacing, .log = true, .fitted = true, .published = true, .meaning = "range of avoidance", .source = "Table S17"},
       {.row = kNeighbours, .name = "max_neighbours", .symbol = "k", .unit = {0, 0}, .scene = {11, 1, 100}, .fit = {10, 1, 30},
-       .fitted = true, .meaning = "most neighbours avoided at once", .source = "Table S17 10.6452; RVO2-3D 10", .integer = true},
+       .fitted = true, .published = true, .meaning = "most neighbours avoided at once", .source = "Table S17 10.6452; RVO2-3D 10", .integer = true},
       {.row = kRadius, .name = "radius", .symbol = "r", .unit = {1, 0}, .scene = {0.0718, 0.001, 10}, .fit = {0.05, 0.01, 1},
-       .length = spacing, .log = true, .fitted = true, .meaning = "radius of an agent", .source = "Table S17"},
+       .length = spacing, .log = true, .fitted = true, .published = true, .meaning = "radius of an agent", .source = "Table S17"},
       {.row = kMaxSpeed, .name = "max_speed", .symbol = "v_max", .unit = {1, -1}, .scene = {0.2309, 0.01, 100}, .fit = {1, 0.2, 5},
-       .log = true, .fitted = true, .meaning = "highest and preferred speed", .source = "Table S17"},
+       .log = true, .fitted = true, .published = true, .meaning = "highest and preferred speed", .source = "Table S17"},
       {.row = kTimeHorizon, .name = "time_horizon", .symbol = "τ", .unit = {0, 1}, .scene = {1, 0.01, 20}, .fit = {2, 0.05, 20},
        .log = true, .fitted = true,
        .meaning = "for how long collisions are avoided", .source = "our choice: the sources do not say; RVO2-3D 10"},

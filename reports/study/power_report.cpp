@@ -40,23 +40,32 @@ Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); 
 
 }  // namespace
 
+// The maker mostly comes first, but the rival shares its group: the order is right, and no single recording can be sure of it.
 std::string power_sentence(const Power& p) {
-  std::vector<std::string> unclear;
+  std::vector<std::string> unclear, unsure;
   for (const PowerPair& pair : p.pairs) {
     const PowerPair& back = turned(p, pair);
     if (&pair > &back || (mostly_told_apart(pair) && mostly_told_apart(back))) continue;
     const double factor = std::max(pair.factor, back.factor);
+    if (factor <= 1) {
+      unsure.push_back(fmt::format("{} and {}", planted(p, pair), rival(p, pair)));
+      continue;
+    }
     const std::string how = std::isfinite(factor)
                                 ? fmt::format("about {} times as many minutes or animals would", brief(std::max(2.0, std::ceil(factor)), 2))
                                 : std::string("more of the same may not");
     unclear.push_back(fmt::format("{} from {} ({})", planted(p, pair), rival(p, pair), how));
   }
-  if (unclear.empty()) return "A recording like this one tells all these models apart.";
-  return fmt::format("A recording like this one does not tell {}.", enumerate(unclear));
+  const std::string order =
+      unsure.empty() ? std::string()
+                     : fmt::format(" It mostly puts {} in the right order, but is too short to be sure of it.", enumerate(unsure));
+  if (unclear.empty() && unsure.empty()) return "A recording like this one tells all these models apart.";
+  if (unclear.empty()) return "A recording like this one ranks all these models rightly." + order;
+  return fmt::format("A recording like this one does not tell {}.", enumerate(unclear)) + order;
 }
 
 PaperTable pairs_table(const Power& p, const std::string& caption) {
-  PaperTable t{"pairs", caption, {"planted", "rival", "ranked before", "told apart", "mean lead", "sd", "recording needed"}, {}};
+  PaperTable t{"pairs", caption, {"planted", "rival", "ranked before", "told apart", "mean lead", "sd", "needed for the order"}, {}};
   for (const PowerPair& pair : p.pairs)
     t.rows.push_back({planted(p, pair), rival(p, pair), fmt::format("{} of {}", pair.first, pair.recordings),
                       fmt::format("{} of {}", pair.told_apart, pair.recordings), fixed(pair.lead, 2), fixed(pair.lead_sd, 2),

@@ -32,12 +32,14 @@ std::string content(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::vector<std::string> names() {
+std::vector<std::string> names_in(const std::string& list) {
   std::vector<std::string> all;
-  const auto document = nlohmann::json::parse(printed("models --json"));
-  for (const auto& model : document.at("models")) all.push_back(model.at("name"));
+  const auto document = nlohmann::json::parse(printed(list + " --json"));
+  for (const auto& entry : document.at(list)) all.push_back(entry.at("name"));
   return all;
 }
+
+std::vector<std::string> names() { return names_in("models"); }
 
 TEST(ModelPages, SayWhatTheProgramSays) {
   ASSERT_GE(names().size(), 2u);
@@ -61,17 +63,17 @@ TEST(ModelPages, NoneIsLeftOver) {
 
 TEST(ModelPages, SayHowTheirPictureWasMade) {
   for (const auto& name : names()) {
-    std::string flags = printed("models " + name + " --scene");
-    ASSERT_FALSE(flags.empty()) << name;
-    flags.pop_back();
-    EXPECT_THAT(content(kPages / (name + ".md")), HasSubstr("`swarmfit simulate " + name + ' ' + flags + " --picture")) << name << kAdvice;
+    std::string scene = printed("models " + name + " --scene");
+    ASSERT_FALSE(scene.empty()) << name;
+    scene.pop_back();
+    EXPECT_THAT(content(kPages / (name + ".md")), HasSubstr("`swarmfit simulate " + scene + " --picture")) << name << kAdvice;
   }
 }
 
-TEST(Gallery, IsSmallAndOfTheseModels) {
+TEST(Gallery, IsSmallAndOfTheseScenarios) {
   const auto page = content(kPages / "../gallery.html");
-  EXPECT_LT(page.size(), 1'500'000u);
-  for (const auto& name : names()) EXPECT_THAT(page, HasSubstr("<h2 id=\"" + name + "-title\">")) << name << kAdvice;
+  EXPECT_LT(page.size(), 6'000'000u);
+  for (const auto& name : names_in("scenarios")) EXPECT_THAT(page, HasSubstr("<h2 id=\"" + name + "-title\">")) << name << kAdvice;
 }
 
 TEST(Pages, AreWrittenBesideTheText) {
@@ -81,7 +83,7 @@ TEST(Pages, AreWrittenBesideTheText) {
   EXPECT_THAT(printed("simulate vicsek --set 'eta=0.1' --frames 5 --html '" + page.string() + "'"), testing::IsEmpty());
   EXPECT_THAT(content(page), HasSubstr("<h1>vicsek</h1>"));
   EXPECT_THAT(printed("gallery '" + page.string() + "'"), testing::IsEmpty());
-  EXPECT_THAT(content(page), HasSubstr("models in motion"));
+  EXPECT_THAT(content(page), HasSubstr("scenes in motion"));
   fs::remove(page);
 }
 

@@ -165,6 +165,14 @@ TEST(Entry, RecordedVelocitiesAreTakenAsTheyAre) {
   EXPECT_EQ(visits.front().vel_error.maxCoeff(), 0);
 }
 
+TEST(Entry, AsSeenItIsTheFirstDifference) {
+  const Tracks bent = filmed(1, 20, [](double t, std::uint32_t) { return Array3d(100 * t * t, 5 * t, 0); });
+  const auto visit = recorded_visits(bent, Array3d::Constant(0.1), EntryVelocity::difference).front();
+  EXPECT_NEAR(visit.vel[0], 100 * kDt, 1e-9);
+  EXPECT_NEAR(visit.vel[1], 5, 1e-9);
+  EXPECT_EQ(visit.vel_error.maxCoeff(), 0);
+}
+
 TEST(Entry, TwoFramesGiveADifferenceAndOneGivesNothing) {
   EXPECT_NEAR(recorded_visits(filmed(1, 2, [](double t, std::uint32_t) { return Array3d(3 * t, 0, 0); }), kNone).front().vel[0], 3, 1e-12);
   const auto one = recorded_visits(filmed(1, 1, [](double, std::uint32_t) { return Array3d(1, 2, 3); }), kNone).front();

@@ -44,6 +44,28 @@ TEST(SearchSpace, LogarithmicAxisIsHalvedAtItsGeometricMean) {
   EXPECT_NEAR(middle[row(model, "gamma")], std::sqrt(gamma.fit.lower * gamma.fit.upper) / 100, 1e-12);
 }
 
+// Tables S17 to S20 of Ren et al. 2016.
+TEST(SearchSpace, PublishedParametersAlone) {
+  const auto searched = [](const char* name, const ParameterRequests& requests) {
+    const auto model = parse_model(name);
+    std::vector<std::string> out;
+    const SearchSpace space(model, kScales, requests);
+    for (const std::size_t p : space.searched()) out.push_back(model.spec->parameters[p].name);
+    return out;
+  };
+  ParameterRequests published;
+  published.published = true;
+  EXPECT_THAT(searched("bswarm", published),
+              testing::UnorderedElementsAre("gamma", "noise", "scale", "chi_rep", "chi_att", "r_rep", "r_att"));
+  EXPECT_THAT(searched("noise_aware", published), testing::UnorderedElementsAre("scale", "gain"));
+  EXPECT_THAT(searched("boids", published), testing::UnorderedElementsAre("speed", "radius"));
+  EXPECT_THAT(searched("rvo", published), testing::UnorderedElementsAre("neighbour_distance", "max_neighbours", "radius", "max_speed"));
+  EXPECT_THAT(searched("brownian", published), testing::UnorderedElementsAre("gamma1", "gamma2", "D", "C_r"));
+  EXPECT_EQ(searched("langevin", published), searched("langevin", {})) << "the paper did not fit it";
+  published.bounds["tau"] = {0.1, 1};
+  EXPECT_THAT(searched("boids", published), testing::Contains("tau")) << "a request wins";
+}
+
 // A hundredth of the upper bound is a tenth of the way: weak forces have room.
 TEST(SearchSpace, StrengthsFromZeroAreSearchedByTheirSquareRoots) {
   const auto model = parse_model("bswarm");

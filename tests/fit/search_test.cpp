@@ -49,6 +49,20 @@ TEST(Search, ReachesTheGoalOnTheNoisySphere) {
   EXPECT_LE(median_truth([](std::uint64_t seed) { return noisy(sphere(goal_dimensions, seed), 0.5, seed); }, 7), 0.08);
 }
 
+// All of the budget goes to it, and nothing else is tried.
+TEST(Search, TheGeneticAlgorithmAlone) {
+  const TestFunction f = rastrigin(3, 1);
+  SearchOptions options = budget_of(400);
+  options.genetic_only = true;
+  GeneticOptions genetic = options.genetic;
+  genetic.max_evaluations = 400;
+  const auto found = search(3, f.batch(), options, Rng{1});
+  const auto alone = genetic_search(3, f.batch(), genetic, Rng{1});
+  EXPECT_EQ(found.evaluations, alone.evaluations);
+  EXPECT_EQ(found.best.front().x, alone.best.front().x);
+  EXPECT_EQ(found.recommended.x, alone.best.front().x);
+}
+
 TEST(Search, TellsRoughnessFromSmoothness) {
   const auto smooth = rosenbrock(4, 1);
   const auto found = search(4, smooth.batch(), budget_of(2000), Rng{1});

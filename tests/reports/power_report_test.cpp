@@ -33,6 +33,11 @@ TEST(PowerReport, SaysWhatIsNotToldApartAndHowMuchItWouldTake) {
             "A recording like this one does not tell bswarm from brownian (about 3 times as many minutes or animals would).");
   p.pairs[1].factor = INFINITY;
   EXPECT_EQ(power_sentence(p), "A recording like this one does not tell bswarm from brownian (more of the same may not).");
+  p.pairs[1].factor = 1;
+  EXPECT_EQ(power_sentence(p),
+            "A recording like this one ranks all these models rightly. It mostly puts bswarm and brownian in the right order, but is too "
+            "short to be sure of it.")
+      << "as the table says";
   p.pairs[1].told_apart = 2;
   EXPECT_EQ(power_sentence(p), "A recording like this one tells all these models apart.");
 }

@@ -18,7 +18,7 @@ constexpr const char* kAsText = "&lt;img src=x onerror=&quot;alert(&#39;1&#39;)&
 Comparison alone() {
   Comparison c = sample_comparison();
   c.models.clear();
-  c.weight_history.clear();
+  c.ranking.weight_history.clear();
   return c;
 }
 
@@ -26,7 +26,7 @@ ModelCard card() { return {"vicsek", "Alignment with noise", "Vicsek et al. 1995
 
 std::string page_of(Comparison c, const TracksPage& page) {
   TrackMeta meta = c.film.meta();
-  meta.from.path = c.data.path;
+  meta.from.path = c.recording.data.path;
   return tracks_html(c, meta, summarise(c.film), page);
 }
 
@@ -50,7 +50,7 @@ TEST(TracksPage, NamesTheModelOfASimulation) {
 
 TEST(TracksPage, HostileTextStaysText) {
   Comparison c = alone();
-  c.data.path = c.data.unit = kHostile;
+  c.recording.data.path = c.recording.data.unit = kHostile;
   ModelCard hostile = card();
   hostile.summary = hostile.citation = hostile.parameters[0].meaning = kHostile;
   const std::string page = page_of(c, {kHostile, kHostile, hostile});
@@ -63,14 +63,14 @@ TEST(Gallery, ShowsEveryExhibit) {
   ModelCard other = card();
   other.name = "boids<";
   const std::string page = gallery_html({{card(), "swarmfit simulate vicsek", film}, {other, "swarmfit simulate boids", film}}, "1.2.3");
-  EXPECT_THAT(page, HasSubstr("<h1>2 models in motion</h1>"));
+  EXPECT_THAT(page, HasSubstr("<h1>2 scenes in motion</h1>"));
   for (const char* said :
        {"<h2 id=\"vicsek-title\">vicsek</h2>", "boids&lt;</h2>", "<a href=\"#vicsek\">", "swarmfit simulate boids", "Vicsek et al. 1995"})
     EXPECT_THAT(page, HasSubstr(said));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
 }
 
-TEST(Gallery, OfNothingIsAPageStill) { EXPECT_THAT(gallery_html({}, "1.2.3"), HasSubstr("0 models in motion")); }
+TEST(Gallery, OfNothingIsAPageStill) { EXPECT_THAT(gallery_html({}, "1.2.3"), HasSubstr("0 scenes in motion")); }
 
 }  // namespace
 }  // namespace swarmfit

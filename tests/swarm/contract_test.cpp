@@ -62,8 +62,8 @@ void silence(const Made& made, Lane& lane) {
 }
 
 // Everything switched on: parameters that are 0 by default get a tenth of their upper bound.
-Lane busy(const Made& made, Index agents, double width, int dims = 3) {
-  Lane lane = crowd(made, agents, width, 0.5, 11, dims);
+Lane busy(const Made& made, Index agents, double width) {
+  Lane lane = crowd(made, agents, width, 0.5, 11);
   const auto& table = made.choice.spec->parameters;
   for (std::size_t k = 0; k < table.size(); ++k)
     if (table[k].scene.initial == 0) lane.p[k] = table[k].scene.upper / 10;
@@ -161,7 +161,7 @@ TEST_P(EveryModel, HasTheColumnsItNames) {
 TEST_P(EveryModel, MovesAndStaysFinite) {
   const Made made = make(GetParam());
   Lane lane = busy(made, 40, 3);
-  lane.world.add(std::make_unique<Stimuli>(std::vector<Stimulus>{{.start = {1, 1, 1}, .velocity = {0.5, 0, 0}}}));
+  lane.world.add(std::make_unique<Stimuli>(std::vector<Stimulus>{{.start = {1, 1, made.dims == 3 ? 1.0 : 0.0}, .velocity = {0.5, 0, 0}}}));
   const Rows start = lane.state.pos;
   run(made, {.frame_dt = 0.01, .frames = 101}, lane);
   EXPECT_FALSE(lane.blew_up);
@@ -221,15 +221,17 @@ TEST_P(EveryModel, RowOrderDoesNotMatter) {
 // Without noise nothing but the agents themselves, and where the recording had them, gives a direction or a place.
 TEST_P(EveryModel, NoiselessMotionTurnsAndShiftsWithTheAgents) {
   const std::string setting = quiet(GetParam());
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+  const int dims = most_dims(setting);
+  const Eigen::Vector3d axis = dims == 3 ? Eigen::Vector3d(1, 2, -1).normalized() : Eigen::Vector3d(0, 0, 1);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, axis).toRotationMatrix();
   const auto turned = [&](const Rows& rows) { return Rows((rows.matrix() * turn.transpose()).array()); };
-  const Eigen::Array<double, 1, 3> shift(3, -7, 11);
+  const Eigen::Array<double, 1, 3> shift(3, -7, dims == 3 ? 11 : 0);
   Lane a = busy(make(setting), 40, 3), b = busy(make(setting), 40, 3);
   b.state.pos = turned(a.state.pos).rowwise() + shift;
   b.state.vel = turned(a.state.vel);
   for (Lane* lane : {&a, &b}) {
-    const Tracks reference = recording_of(lane->state);
-    const Made made = make(setting, 3, &reference);
+    const Tracks reference = recording_of(lane->state, dims);
+    const Made made = make(setting, dims, &reference);
     silence(made, *lane);
     run(made, kShort, *lane);
   }
@@ -241,7 +243,7 @@ TEST_P(EveryModel, PlanarMotionStaysInThePlane) {
   const ModelSpec& spec = *parse_model(GetParam()).spec;
   if (std::find(spec.dims.begin(), spec.dims.end(), 2) == spec.dims.end()) GTEST_SKIP() << "three dimensions only";
   const Made made = make(GetParam(), 2);
-  Lane lane = busy(made, 40, 3, 2);
+  Lane lane = busy(made, 40, 3);
   lane.state.pos.row(1) = lane.state.pos.row(0);  // ties are broken in the plane too
   lane.world.add(std::make_unique<Stimuli>(std::vector<Stimulus>{{.start = {1, 1, 0}}}));
   run(made, {.frame_dt = 0.01, .frames = 101}, lane);
@@ -259,7 +261,8 @@ TEST_P(EveryModel, StaysInsideTheBounds) {
     lane.world.bounds.centre.setConstant(0.5);
     lane.world.bounds.radius = 0.87;
     run(made, kShort, lane);
-    const Rows p = lane.state.pos - 0.5;
+    Rows p = lane.state.pos - 0.5;
+    if (made.dims == 2) p.col(2) = 0;
     EXPECT_FALSE(lane.blew_up);
     EXPECT_LE(kind == Bounds::Kind::sphere ? std::sqrt(p.square().rowwise().sum().maxCoeff()) / 0.87 : p.abs().maxCoeff() / 0.5, 1 + 1e-12);
   }
@@ -276,14 +279,16 @@ TEST_P(EveryModel, StaysOutsideObstaclesThatItDoesNotKnow) {
   run(made, {.frame_dt = 0.01, .frames = 101}, lane);
   EXPECT_FALSE(lane.blew_up);
   for (std::size_t m = 1; m < out.moments.size(); ++m)  // some start inside
-    for (Index i = 0; i < lane.state.size(); ++i) EXPECT_FALSE(walls.hold(out.moments[m].pos.row(i).transpose(), 3)) << "frame " << m;
+    for (Index i = 0; i < lane.state.size(); ++i)
+      EXPECT_FALSE(walls.hold(out.moments[m].pos.row(i).transpose(), made.dims)) << "frame " << m;
 }
 
 TEST_P(EveryModel, AgentsComeAndGo) {
   const Made made = make(GetParam());
   Lane lane = busy(made, 20, 2);
   std::vector<Presence::Visit> visits;
-  for (std::uint32_t k = 0; k < 10; ++k) visits.push_back({100 + k, 0, 3 + k, 9 + 2 * k, {1, 1 + 0.1 * k, 1}, {0.3, 0, 0}});
+  for (std::uint32_t k = 0; k < 10; ++k)
+    visits.push_back({100 + k, 0, 3 + k, 9 + 2 * k, {1, 1 + 0.1 * k, made.dims == 3 ? 1.0 : 0.0}, {0.3, 0, 0}});
   lane.world.add(std::make_unique<Presence>(visits));
   Recorded out;
   lane.out = &out;
@@ -318,10 +323,12 @@ TEST_P(EveryModel, ManyRandomCandidatesMoveAboutAsFastAsTheRecording) {
   const ModelChoice choice = parse_model(GetParam());
   for (const Recording& r : {midges, jackdaws}) {
     swarmfit::Setup setup;  // not testing::Test::Setup
-    const Tracks reference = recording_of(crowd(make(GetParam()), r.agents, 2 * r.scales.extent, r.scales.speed).state);
+    const Made plain = make(GetParam());
+    const Tracks reference = recording_of(crowd(plain, r.agents, 2 * r.scales.extent, r.scales.speed).state, plain.dims);
+    setup.dims = plain.dims;
     setup.reference = &reference;
     setup.scales = r.scales;
-    const Made made{choice, make_model(choice, setup)};
+    const Made made{choice, make_model(choice, setup), plain.dims};
     Plan plan{.frame_dt = r.dt, .substeps = stable_steps(choice, r.scales, r.dt), .frames = 150};
     int matching = 0;
     const std::uint32_t candidates = 100;

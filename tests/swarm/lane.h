@@ -2,6 +2,7 @@
 // What the tests of simulation share: lanes with agents in them, and a sink that remembers frames.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,16 +16,25 @@ namespace swarmfit {
 struct Made {
   ModelChoice choice;
   std::unique_ptr<Model> model;
+  int dims = 3;
 };
 
-inline Made make(std::string_view name, int dims = 3, const Tracks* reference = nullptr) {
-  Made made{parse_model(name), nullptr};
+// 3, or 2 for models that move in a plane only.
+inline int most_dims(std::string_view name) {
+  const auto dims = parse_model(name).spec->dims;
+  return *std::max_element(dims.begin(), dims.end());
+}
+
+inline Made make(std::string_view name, int dims, const Tracks* reference = nullptr) {
+  Made made{parse_model(name), nullptr, dims};
   made.model = make_model(made.choice, {.dims = dims, .reference = reference});
   return made;
 }
+inline Made make(std::string_view name) { return make(name, most_dims(name)); }
 
-// Parameters at their scene defaults, agents at random in a box [0, width]^dims with the given speed.
-inline Lane crowd(const Made& made, Index agents, double width, double speed, std::uint64_t seed = 1, int dims = 3) {
+// Parameters at their scene defaults, agents at random in a box [0, width]^dims with the given speed. dims 0: those of the model.
+inline Lane crowd(const Made& made, Index agents, double width, double speed, std::uint64_t seed = 1, int dims = 0) {
+  if (dims == 0) dims = made.dims;
   Lane lane;
   lane.rng = {seed};
   lane.world.dims = dims;

@@ -217,5 +217,13 @@ TEST(Zonal, ParallelGroup) {
   EXPECT_LT(rotation, 0.1);
 }
 
+// The fourth group is the third with more of it: in a highly parallel one everybody is aligned with everybody, and polarisation exceeds
+// 0.995.
+TEST(Zonal, HighlyParallelGroup) {
+  const auto [polarisation, rotation] = state(14);
+  EXPECT_GT(polarisation, 0.995);
+  EXPECT_LT(rotation, 0.1);
+}
+
 }  // namespace
 }  // namespace swarmfit

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: MIT
+#include "libswarm/scenario/read.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "libswarm/centre.h"
+#include "libswarm/scenario/table.h"
+#include "libtrack/error.h"
+
+namespace swarmfit {
+namespace {
+
+using Eigen::Array3d;
+using Words = std::vector<std::string_view>;
+
+constexpr std::int64_t kMost = 10'000'000;  // agents, frames
+constexpr double kMostCells = 1e8;          // of the grid in which ways are looked for
+constexpr double kForever = std::numeric_limits<double>::infinity();
+constexpr std::string_view kRest[] = {"reflect", "slip"};
+
+// Puts the place in front of what a room lower down refuses.
+template <class Do>
+void placed(const std::string& place, Do&& what) {
+  try {
+    what();
+  } catch (const InputError& e) {
+    throw InputError(place + e.what());
+  }
+}
+
+// Corners of a box, the upper above the lower.
+void corners(Table& table, int dims, Array3d& lower, Array3d& upper) {
+  lower = table.place("lower", std::nullopt, dims);
+  upper = table.place("upper", std::nullopt, dims);
+  for (Index axis = 0; axis < dims; ++axis)
+    if (!(lower[axis] < upper[axis]))
+      table.refuse("upper", fmt::format("is {:g} on axis {}, where lower is {:g}; expected more", upper[axis], "xyz"[axis], lower[axis]));
+}
+
+Bounds::Wall wall_of(Table& table) { return table.choice("wall", kRest, "reflect") == "slip" ? Bounds::Wall::slip : Bounds::Wall::reflect; }
+
+// Rows of time and place.
+std::vector<Stimulus::Key> keys_of(Table& table, int dims) {
+  std::vector<Stimulus::Key> keys;
+  for (const auto& row : table.rows("path", static_cast<std::size_t>(dims) + 1))
+    keys.push_back({row[0], Array3d(row[1], row[2], dims == 3 ? row[3] : 0)});
+  return keys;
+}
+
+Bounds bounds_of(Table table, int dims) {
+  static const Words kShapes{"open", "box", "sphere", "periodic"};
+  Bounds bounds;
+  const auto shape = table.choice("shape", kShapes, std::nullopt);
+  if (shape == "box" || shape == "periodic") {
+    bounds.kind = shape == "box" ? Bounds::Kind::box : Bounds::Kind::periodic;
+    corners(table, dims, bounds.lower, bounds.upper);
+  } else if (shape == "sphere") {
+    bounds.kind = Bounds::Kind::sphere;
+    bounds.centre = table.place("centre", Array3d::Zero(), dims);
+    bounds.radius = table.number("radius", std::nullopt, kPositive);
+  }
+  if (shape == "box" || shape == "sphere") bounds.wall = wall_of(table);
+  table.finish();
+  return bounds;
+}
+
+Obstacle obstacle_of(Table table, int dims) {
+  static const Words kShapes{"sphere", "box", "cylinder", "plane"}, kFlat{"sphere", "box", "plane"};
+  Obstacle o;
+  const auto shape = table.choice("shape", dims == 3 ? kShapes : kFlat, std::nullopt);
+  if (shape == "box") {
+    o.shape = Obstacle::Shape::box;
+    corners(table, dims, o.lower, o.upper);
+  } else if (shape == "cylinder") {
+    o.shape = Obstacle::Shape::cylinder;
+    o.lower = table.place("lower", std::nullopt, dims);
+    o.upper = table.place("upper", std::nullopt, dims);
+    if ((o.lower == o.upper).all()) table.refuse("upper", "is lower; expected the other end of the cylinder's axis");
+  } else if (shape == "plane") {
+    o.shape = Obstacle::Shape::plane;
+    o.normal = table.place("normal", std::nullopt, dims);
+    const double length = std::sqrt(o.normal.square().sum());
+    if (!(length > 0)) table.refuse("normal", "is zero; expected the direction to the side where agents are");
+    o.normal /= length;
+  }
+  if (shape == "sphere" || shape == "plane") o.centre = table.place("centre", std::nullopt, dims);
+  if (shape == "sphere" || shape == "cylinder") o.radius = table.number("radius", std::nullopt, kPositive);
+  o.wall = wall_of(table);
+  table.finish();
+  return o;
+}
+
+Goal goal_of(Table table, int dims) {
+  Goal g;
+  g.radius = table.number("radius", std::nullopt, kPositive);
+  if (table.has("path"))
+    g.path = keys_of(table, dims);
+  else
+    g.centre = table.place("at", std::nullopt, dims);
+  table.finish();
+  return g;
+}
+
+// A grid over the bounds, which have to be a box.
+void read_paths(Table& root, Scenario& scene) {
+  for (const Table& table : root.tables("goal")) scene.goals.push_back(goal_of(table, scene.dims));
+  auto table = root.table("paths");
+  if (scene.goals.empty() && table) table->refuse("[paths] lead nowhere; expected [[goal]]");
+  if (scene.goals.empty()) return;
+  if (scene.bounds.kind != Bounds::Kind::box)
+    root.refuse("goal", "is looked for in a grid over the bounds; expected [bounds] shape = \"box\"");
+  FieldGrid& grid = scene.paths.grid;
+  const Eigen::Array3d sides = scene.bounds.upper - scene.bounds.lower;
+  const double shortest = sides.head(scene.dims).minCoeff();
+  grid.lower = scene.bounds.lower;
+  grid.cell = table ? table->number("cell", shortest / 20, {1e-9, shortest}) : shortest / 20;
+  double cells = 1;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(scene.dims); ++axis) {
+    const double count = std::ceil(sides[static_cast<Index>(axis)] / grid.cell - 1e-9);
+    cells *= count;
+    if (cells > kMostCells)
+      table->refuse("cell", fmt::format("= {:g} makes more than {:g} cells; expected larger ones", grid.cell, kMostCells));
+    grid.count[axis] = static_cast<Index>(count);
+  }
+  if (!table) return;
+  scene.paths.length_weight = table->number("length_weight", scene.paths.length_weight, kPositive);
+  scene.paths.repulsion_weight = table->number("repulsion_weight", scene.paths.repulsion_weight, kNotNegative);
+  scene.paths.reach = table->number("reach", 0, kNotNegative);
+  table->finish();
+}
+
+BridgeShape bridge_of(Table table) {
+  BridgeShape bridge;
+  bridge.length = table.number("length", bridge.length, kPositive);
+  bridge.width = table.number("width", bridge.width, {0, kForever});
+  bridge.mean_interval = table.number("mean_interval", bridge.mean_interval, kPositive);
+  bridge.laden = table.number("laden", bridge.laden, {0, 1});
+  bridge.entry_y = table.number("entry_y", bridge.width / 2, {0, kForever});
+  bridge.entry_y_spread = table.number("entry_y_spread", bridge.entry_y_spread, {0, kForever});
+  bridge.speed = table.number("speed", bridge.speed, kPositive);
+  table.finish();
+  return bridge;
+}
+
+// How it moves is told by the one of these keys that is there.
+void motion_of(Table& table, Stimulus& s, int dims) {
+  using enum Stimulus::Motion;
+  if (table.has("path")) {
+    s.motion = path;
+    s.path = keys_of(table, dims);
+  } else if (table.has("lead")) {
+    s.motion = lead;
+    s.offset = table.place("lead", std::nullopt, dims);
+  } else if (auto round = table.table("ring")) {
+    s.motion = ring;
+    s.start = round->place("centre", Array3d::Zero(), dims);
+    s.radius = round->number("radius", std::nullopt, kPositive);
+    s.ahead = round->number("ahead", std::nullopt, {-180, 180}) * std::numbers::pi / 180;
+    round->finish();
+  } else if (auto way = table.table("wander")) {
+    s.motion = wander;
+    s.start = way->place("centre", Array3d::Zero(), dims);
+    s.radius = way->number("radius", std::nullopt, kPositive);
+    s.scale = way->number("scale", std::nullopt, kPositive);
+    s.speed = way->number("speed", std::nullopt, kNotNegative);
+    way->finish();
+  } else if (table.has("at")) {
+    s.start = table.place("at", std::nullopt, dims);
+    s.velocity = table.place("velocity", Array3d::Zero(), dims);
+  } else {
+    table.refuse("[[stimulus]] is nowhere; expected one of at, path, lead, ring, wander");
+  }
+}
+
+Stimulus stimulus_of(Table table, int dims) {
+  static const Words kKinds{"attract", "repel"};
+  Stimulus s;
+  s.kind = table.choice("kind", kKinds, std::nullopt) == "attract" ? Stimulus::Kind::attract : Stimulus::Kind::repel;
+  motion_of(table, s, dims);
+  s.from = table.number("from", -kForever, kAnyNumber);
+  s.until = table.number("until", kForever, kAnyNumber);
+  table.finish();
+  return s;
+}
+
+void shape_of(Table& table, Start& start, int dims, const Bounds& bounds) {
+  static const Words kShapes{"ball", "box", "line", "grid", "ring"};
+  const auto shape = table.choice("shape", kShapes, "ball");
+  using enum Start::Shape;
+  start.shape = shape == "box" ? box : shape == "line" ? line : shape == "grid" ? grid : shape == "ring" ? ring : ball;
+  if (start.shape == ball) {
+    start.radius = table.number("radius", 0, kNotNegative);
+    start.centre = table.place("centre", middle_of(bounds), dims);
+    if (table.has("centre") && start.radius == 0) table.refuse("centre", "is given without a radius; expected both");
+  } else if (start.shape == ring) {
+    start.radius = table.number("radius", std::nullopt, kPositive);
+    start.centre = table.place("centre", middle_of(bounds), dims);
+  } else if (start.shape == line) {
+    start.lower = table.place("lower", std::nullopt, dims);
+    start.upper = table.place("upper", std::nullopt, dims);
+  } else {
+    corners(table, dims, start.lower, start.upper);
+  }
+}
+
+Start start_from(Table table, int dims, const Bounds& bounds) {
+  Start start;
+  shape_of(table, start, dims, bounds);
+  start.speed = table.number("speed", start.speed, kNotNegative);
+  start.heading = table.place("heading", Array3d::Zero(), dims);
+  table.finish();
+  return start;
+}
+
+std::uint8_t kind_of(Table& table, const ModelSpec& spec) {
+  if (!table.has("kind")) return 0;
+  if (spec.kinds.empty()) table.refuse("kind", fmt::format("is given, but all agents are alike to {}; expected no kind", spec.name));
+  const Words names(spec.kinds.begin(), spec.kinds.end());
+  const auto name = table.choice("kind", names, std::nullopt);
+  return static_cast<std::uint8_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+Group group_of(Table table, const Scenario& scene, const Start& otherwise) {
+  Group g;
+  g.kind = kind_of(table, *scene.model.spec);
+  g.agents = static_cast<int>(table.whole("agents", std::nullopt, 1, kMost));
+  g.start = otherwise;
+  if (auto start = table.table("start")) g.start = start_from(*start, scene.dims, scene.bounds);
+  g.arrive = table.number("arrive", g.arrive, kAnyNumber);
+  g.every = table.number("every", 0, kNotNegative);
+  g.leave = table.number("leave", g.leave, kAnyNumber);
+  if (table.has("every") && !table.has("arrive")) table.refuse("every", "is given without arrive; expected both");
+  table.finish();
+  return g;
+}
+
+std::vector<Group> groups_of(Table& root, const Scenario& scene) {
+  Start start;
+  if (auto table = root.table("start")) start = start_from(*table, scene.dims, scene.bounds);
+  std::vector<Group> groups;
+  for (Table& table : root.tables("group")) groups.push_back(group_of(table, scene, start));
+  if (groups.empty()) {
+    groups.emplace_back();
+    groups.front().agents = static_cast<int>(root.whole("agents", 100, 1, kMost));
+    groups.front().start = start;
+  } else if (root.has("agents")) {
+    root.refuse("agents", "is given beside [[group]]; expected agents of each group");
+  }
+  std::int64_t all = 0;
+  for (const Group& g : groups) all += g.agents;
+  if (all > kMost) root.refuse(fmt::format("{} agents; expected at most {}", all, kMost));
+  return groups;
+}
+
+void read_parameters(Table& root, Scenario& scene) {
+  auto table = root.table("parameters");
+  if (!table) return;
+  for (const auto& name : table->keys())
+    placed(table->place_of(name) + "[parameters] ", [&] { set_parameter(scene, name, table->number(name, std::nullopt, {-1e12, 1e12})); });
+}
+
+void read_schedules(Table& root, Scenario& scene) {
+  auto table = root.table("schedule");
+  if (!table) return;
+  for (const auto& name : table->keys()) {
+    const auto rows = table->rows(name, 2);
+    placed(table->place_of(name) + "[schedule] ", [&] { set_parameter(scene, name, rows.front()[1]); });
+    Schedule schedule{.parameter = static_cast<std::size_t>(scene.model.spec->find(name)), .keys = {}};
+    for (const auto& row : rows) schedule.keys.emplace_back(row[0], row[1]);
+    scene.schedules.push_back(std::move(schedule));
+  }
+}
+
+Expectation expectation_of(const std::string& name, Table table) {
+  Expectation e;
+  e.name = name;
+  e.measure = table.text("measure", std::nullopt);
+  e.above = table.number("above", e.above, kAnyNumber);
+  e.below = table.number("below", e.below, kAnyNumber);
+  e.published = table.text("published", "");
+  e.place = table.place_of("measure");
+  if (!table.has("above") && !table.has("below"))
+    table.refuse(fmt::format("[expect.{}] bounds nothing; expected above, below or both", name));
+  if (!(e.above <= e.below)) table.refuse("above", fmt::format("= {:g} is more than below = {:g}; expected less", e.above, e.below));
+  for (const auto& key : table.keys())
+    if (key != "measure" && key != "above" && key != "below" && key != "published") e.arguments.emplace_back(key, table.numbers(key));
+  table.finish();
+  return e;
+}
+
+void read_expectations(Table& root, Scenario& scene) {
+  auto table = root.table("expect");
+  if (!table) return;
+  for (const auto& name : table->keys()) {
+    auto one = table->table(name);
+    scene.expectations.push_back(expectation_of(name, *one));
+  }
+}
+
+Scenario about(Table& root) {
+  Scenario scene;
+  placed(root.place_of("model"), [&] { scene = plain_scenario(parse_model(root.text("model", std::nullopt))); });
+  const ModelSpec& spec = *scene.model.spec;
+  scene.title = root.text("title", std::nullopt);
+  scene.source = root.text("source", scene.source);
+  scene.shows = root.text("shows", "");
+  if (!scene.shows.empty() && scene.shows != spec.name)
+    root.refuse("shows", fmt::format("= '{}' is not the model; expected {}", scene.shows, spec.name));
+  scene.dims = static_cast<int>(root.whole("dims", std::find(spec.dims.begin(), spec.dims.end(), 3) != spec.dims.end() ? 3 : 2, 2, 3));
+  if (std::find(spec.dims.begin(), spec.dims.end(), scene.dims) == spec.dims.end())
+    root.refuse("dims", fmt::format("= {}, in which {} does not move; expected {}", scene.dims, spec.name, fmt::join(spec.dims, " or ")));
+  scene.frames = root.whole("frames", scene.frames, 1, kMost);
+  scene.warm_up = root.whole("warm_up", 0, 0, kMost);
+  scene.dt = 1 / root.number("fps", 100, {1e-6, 1e9});
+  scene.substeps = static_cast<int>(root.whole("steps", 0, 1, 10'000));
+  scene.seed = static_cast<std::uint64_t>(root.whole("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
+  scene.unit = root.text("unit", scene.unit);
+  return scene;
+}
+
+std::string stem(const std::string& path) {
+  std::string name = path.substr(path.find_last_of('/') + 1);
+  return name.ends_with(".toml") ? name.substr(0, name.size() - 5) : name;
+}
+
+}  // namespace
+
+Scenario read_scenario(const std::string& path, const std::string& text) {
+  const Node file = parse_toml(path, text);
+  Table root(path, file, "");
+  Scenario scene = about(root);
+  scene.name = stem(path);
+  scene.bounds = {};
+  if (auto table = root.table("bounds")) scene.bounds = bounds_of(*table, scene.dims);
+  for (const Table& table : root.tables("obstacle")) scene.obstacles.push_back(obstacle_of(table, scene.dims));
+  for (const Table& table : root.tables("stimulus")) scene.stimuli.push_back(stimulus_of(table, scene.dims));
+  read_paths(root, scene);
+  if (auto table = root.table("bridge")) scene.bridge = bridge_of(*table);
+  read_parameters(root, scene);
+  read_schedules(root, scene);
+  scene.groups = groups_of(root, scene);
+  read_expectations(root, scene);
+  root.finish();
+  return scene;
+}
+
+}  // namespace swarmfit
