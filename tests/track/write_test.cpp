@@ -176,6 +176,16 @@ TEST(Write, OddCharactersComeBack) {
   }
 }
 
+// A name with a control character is written otherwise, and individuals are counted by the name that is written.
+TEST(Write, NamesThatCannotBeWrittenKeepTheirPlace) {
+  const auto before = read("id,frame,x,y\n0-0,0,1,1\n0-\x11,0,2,2\n\"a\xFF\",0,3,3\n", {.fps = 1, .unit = "m"});
+  EXPECT_THAT(before.names(), testing::ElementsAre("0-0", "0-\\x11", "a\\xff"));
+  EXPECT_THAT(before.meta().from.notes, testing::Contains(StartsWith("2 names have blanks around it, control characters")));
+  const auto after = read(to_csv(before));
+  EXPECT_EQ(after.names(), before.names());
+  expect_same_bits(before.pos(), after.pos());
+}
+
 TEST(Write, TheEndingNamesTheFormat) {
   EXPECT_EQ(written_format("", "a.h5").name, "hdf5");
   EXPECT_EQ(written_format("", "a.hdf5").name, "hdf5");
