@@ -92,18 +92,20 @@ class Assembly {
   }
 
   // Names that fit on a line, and stay different.
-  void plain_names() {
+  std::vector<std::string> plain_names() {
+    std::vector<std::string> out;
     std::set<std::string> taken;
     std::size_t odd = 0;
-    for (auto& name : names_) {
-      auto plain = plain_name(name);
+    for (const auto& name : table_.names.names()) {
+      const auto plain = plain_name(name);
       odd += plain != name;
-      name = plain;
-      for (int k = 2; !taken.insert(name).second; ++k) name = fmt::format("{}-{}", plain, k);
+      out.push_back(plain);
+      for (int k = 2; !taken.insert(out.back()).second; ++k) out.back() = fmt::format("{}-{}", plain, k);
     }
     if (odd > 0)
       note(plural(odd, "name has", "names have") +
            " blanks around it, control characters, or bytes that are no UTF-8; they were taken off or written as \\x0a");
+    return out;
   }
 
   void note_if_incomplete(const std::array<FileColumn, 3>& vector, std::string_view name) {
@@ -156,7 +158,7 @@ class Assembly {
 
   // Groups the rows by individual, in natural order of the names, and sorts each by time.
   void order_rows(const std::vector<std::uint32_t>& seen) {
-    const auto& all = table_.names.names();
+    const auto all = plain_names();
     std::vector<std::size_t> count(all.size(), 0);
     for (const auto row : seen) ++count[table_.track[row]];
     std::vector<std::uint32_t> used;
@@ -171,7 +173,6 @@ class Assembly {
       cursor[k] = first_.back();
       first_.push_back(first_.back() + count[k]);
     }
-    plain_names();
     order_.resize(seen.size());
     for (const auto row : seen) order_[cursor[table_.track[row]]++] = row;
     sort_each();
@@ -207,9 +208,9 @@ class Assembly {
     if (!has(FileColumn::t)) return use_frames(stated, table_.t0);
     const auto time = ordered(FileColumn::t);
     if (has(FileColumn::frame) && stated > 0 && times_are_rounded(time, stated)) return use_frames(stated, table_.t0);
+    if (options_.resample && !(stated > 0) && !has(FileColumn::frame)) return use_fine_grid(time);
     FrameClock clock = has(FileColumn::frame) ? fit_known_frames(time, ordered(FileColumn::frame)) : fit_frame_clock(time, first_);
     if (!has(FileColumn::frame)) look_behind_rounding(clock, time, stated);
-    if (options_.resample && !(stated > 0) && (clock.dt == 0 || !clock.problem.empty())) return use_fine_grid(time);
     if (clock.dt == 0 && stated > 0) return use_rate(time, clock, stated);
     if (clock.dt == 0 && !(time.front() < time.back())) fail(clock.problem + "; expected `fps`, for example `fps` 25");
     if (!clock.problem.empty()) fail(clock.problem + "; expected time stamps at a constant interval (`fps` puts them on one)");
@@ -242,7 +243,7 @@ class Assembly {
       note(fmt::format("{}; rows were put on the nearest frame of {:.6g} s, by up to {:.3g} s away", clock.problem, stated, worst));
   }
 
-  // Irregular times that are resampled: on a grid so fine that the nearest frame is the time itself.
+  // Times that are resampled count as they stand: on a grid so fine that the nearest frame is the time itself.
   void use_fine_grid(const std::vector<double>& time) {
     const auto [first, last] = std::minmax_element(time.begin(), time.end());
     dt_ = 1 / (*options_.resample * kFine);

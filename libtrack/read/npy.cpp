@@ -120,7 +120,7 @@ NumberArray parse_npy(const std::string& file, const std::string& name, std::str
         "is a Python pickle; expected numbers (in Python: load it with numpy.load(FILE, allow_pickle=True) and save rows of id,frame,x,y "
         "as CSV)");
   const auto convert = converter(std::string_view(header->type).substr(1));
-  if (!convert) throw fail(fmt::format("is of type '{}'; expected real numbers", header->type.substr(0, 20)));
+  if (!convert) throw fail(fmt::format("is of type '{}'; expected real numbers", plain_name(header->type.substr(0, 20))));
   const auto data = bytes.substr(header->data_at);
   double count = 1;
   for (const auto d : header->dims) count *= static_cast<double>(d);

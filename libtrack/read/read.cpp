@@ -66,6 +66,18 @@ const Reader& choose(const Source& source, const ReadOptions& options) {
   throw InputError(fmt::format("{}: the format is not known; expected one of {}", source.name, format_names()));
 }
 
+bool is_text(const Reader& reader) {
+  return std::any_of(kReaders.begin(), kReaders.end(), [&](const Entry& e) { return e.reader == &reader && e.text; });
+}
+
+// A zero byte would end messages in which the text is quoted, and is in no text.
+void refuse_zeros(const Source& source) {
+  const auto zero = source.bytes.find('\0');
+  if (zero == std::string_view::npos) return;
+  const auto line = 1 + std::count(source.bytes.begin(), source.bytes.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
+  throw InputError(at(source.name, line, 0, "there is a zero byte in it, so it is no text; expected text"));
+}
+
 // A flag about the points of a posture must have had something to choose from.
 void check_point_flags(const RawTable& table, const Reader& reader, const ReadOptions& options) {
   if (!options.node.empty() && !table.has_nodes)
@@ -88,6 +100,7 @@ RawTable read_table(const std::string& name, std::string bytes, const ReadOption
   bytes = plain_bytes(unpacked(name, std::move(bytes), options.variable, notes));
   const Source source{name, bytes};
   const Reader& reader = choose(source, options);
+  if (is_text(reader)) refuse_zeros(source);
   auto table = reader.read(source, options);
   table.format = reader.format.name;
   check_point_flags(table, reader, options);

@@ -122,7 +122,7 @@ TEXTS = [
     ("formats/animalta/single_individual_multi_arena.csv",
      lambda p: wide(p, lambda names: [(n[2:], k) for k, n in enumerate(names) if n.startswith("X_")], ";"), PIXELS),
     ("formats/animalta/variable_individuals_single_arena.csv", lambda p: text(p, "Ind", "Frame", "X", "Y", ";"), FAST),
-    ("formats/celltrack/t-cells.txt", lambda p: text(p, 1, 2, 3, 4, " "), ["--unit", "um"]),
+    ("formats/celltrack/t-cells.txt", lambda p: text(p, 1, 2, 3, 4, " "), ["--columns", "_,id,t,x,y,z", "--unit", "um"]),
     ("formats/deeplabcut/mouse_multi.csv", lambda p: dlc(p, "snout"), ["--node", "snout", "--fps", "30"]),
     ("formats/deeplabcut/mouse_single.csv", lambda p: dlc(p, "snout"), ["--node", "snout", "--fps", "30"]),
     ("formats/deeplabcut/wasp_single.csv", lambda p: dlc(p, "head"), ["--node", "head", "--fps", "30"]),
