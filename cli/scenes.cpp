@@ -52,14 +52,13 @@ const Motif& motif_of(const std::string& model) {
 
 }  // namespace
 
-Scene simulated(const SceneArguments& a) {
-  Scene scene{parse_model(a.model), {}, {}};
+PlantOptions plant_options(const SceneArguments& a, const ModelChoice& model) {
   PlantOptions o;
   o.dims = a.dims;
   o.agents = a.agents;
   o.frames = a.frames;
   o.dt = 1 / a.fps;
-  o.substeps = std::max(1, static_cast<int>(std::ceil(o.dt / scene.model.spec->native_dt - 1e-9)));
+  o.substeps = std::max(1, static_cast<int>(std::ceil(o.dt / model.spec->native_dt - 1e-9)));
   o.warm_up = a.warm_up;
   o.arena = box(a.box, a.dims);
   o.start_radius = a.start_radius > 0 ? a.start_radius : a.box > 0 ? a.box / 4 : 1;
@@ -68,9 +67,14 @@ Scene simulated(const SceneArguments& a) {
   o.dropout = a.dropout;
   o.seed = a.seed;
   o.unit = a.unit;
-  o.path = scene.model.name;
+  o.path = model.name;
+  return o;
+}
+
+Scene simulated(const SceneArguments& a) {
+  Scene scene{parse_model(a.model), {}, {}};
   scene.parameters = scene_parameters(scene.model, parse_assignments(a.set));
-  scene.tracks = plant(scene.model, scene.parameters, o);
+  scene.tracks = plant(scene.model, scene.parameters, plant_options(a, scene.model));
   return scene;
 }
 

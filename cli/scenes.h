@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "fit/experiment/plant.h"
 #include "libswarm/model.h"
 #include "libtrack/tracks.h"
 #include "reports/recording/model_card.h"
@@ -17,6 +18,8 @@ struct Scene {
   std::vector<double> parameters;
   Tracks tracks;
 };
+// How these arguments have this model simulated and filmed.
+PlantOptions plant_options(const SceneArguments&, const ModelChoice& model);
 Scene simulated(const SceneArguments&);
 
 ModelCard card_of(const Scene&);

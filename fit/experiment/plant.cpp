@@ -23,7 +23,9 @@ Eigen::Array3d direction(const std::array<double, 2>& u, int dims) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-State start(const PlantOptions& o) {
+}  // namespace
+
+State planted_start(const PlantOptions& o) {
   const Rng rng{o.seed};
   State state;
   const Eigen::Array3d centre = middle_of(o.arena);
@@ -36,6 +38,8 @@ State start(const PlantOptions& o) {
   }
   return state;
 }
+
+namespace {
 
 // Drops the warm-up and what the camera missed; frame numbers start at 0.
 class Camera : public FrameSink {
@@ -119,7 +123,7 @@ Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, co
   World world;
   world.dims = options.dims;
   world.bounds = options.arena;
-  Lane lane{parameters, {options.seed}, start(options), world, &camera, {}, false};
+  Lane lane{parameters, {options.seed}, planted_start(options), world, &camera, {}, false};
   cpu_backend().run(*rule, plan, {&lane, 1});
   if (lane.blew_up) throw InputError(model.name + ": the simulation blew up; expected parameters and a time step that keep motion finite");
   TrackMeta meta;

@@ -28,6 +28,9 @@ struct PlantOptions {
   std::vector<std::string> notes;
 };
 
+// The agents before the first step: where `start_radius` and `start_speed` put them.
+State planted_start(const PlantOptions& options);
+
 // Simulates and films. Ids of tracks are agent numbers. Throws InputError if the simulation blows up.
 Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, const PlantOptions& options);
 
