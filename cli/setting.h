@@ -23,6 +23,7 @@ inline constexpr Commands kDescribe = 1U << 0U, kConvert = 1U << 1U, kSimulate =
                           kMeasure = 1U << 15U, kSweep = 1U << 16U;
 inline constexpr Commands kFits = kFit | kCompare | kPower;                    // what works on a recording
 inline constexpr Commands kComparisons = kFits | kRecover;                     // what a protocol governs
+inline constexpr Commands kMeasurements = kMeasure | kSweep;                   // runs without a comparison
 inline constexpr Commands kStudies = kRecover | kPower;                        // many comparisons
 inline constexpr Commands kShared = kComparisons | kResume | kMerge | kSweep;  // what several processes do together
 inline constexpr Commands kAll = (kSweep << 1U) - 1;

@@ -34,7 +34,7 @@ const Setting* scene_setting(const std::string& name) {
 void put_word(Arguments& a, ModelChoice& model, std::map<std::string, double>& parameters, const SweepAxis& axis, const std::string& word) {
   const auto& options = model.spec->options;
   const bool option = std::any_of(options.begin(), options.end(), [&](const Option& o) { return o.name == axis.name; });
-  if (model.spec->find(axis.name) >= 0) {
+  if (model.spec->find(axis.name) >= 0 && (axis.numeric || !option)) {
     parameters[axis.name] = parse_assignments({axis.name + "=" + word}).at(axis.name);
   } else if (option) {
     std::string text;
@@ -58,8 +58,17 @@ SweepScene scene_at(const Arguments& given, const std::vector<SweepAxis>& axes, 
   return {model, scene_parameters(model, parameters), plant_options(a.scene, model)};
 }
 
+// Of a Latin hypercube: what takes whole numbers only.
+bool takes_whole_numbers(const ModelSpec& spec, const SweepAxis& axis) {
+  const int row = spec.find(axis.name);
+  if (row >= 0) return spec.parameters[static_cast<std::size_t>(row)].integer;
+  const Setting* s = scene_setting(axis.name);
+  return s && s->allowed.kind == Allowed::Kind::whole;
+}
+
 void refuse_impossible(const SweepOptions& o) {
   constexpr std::size_t kMostAxes = 3;
+  if (o.axes.empty()) throw InputError("sweep: nothing is varied; expected --axis name=lo:hi:n");
   for (std::size_t k = 0; k < o.axes.size(); ++k)
     for (std::size_t i = 0; i < k; ++i)
       if (o.axes[i].name == o.axes[k].name)
@@ -96,6 +105,8 @@ int sweep(const Arguments& a) {
   options.seed = a.common.seed;
   options.scene_at = [&](const std::vector<std::string>& words) { return scene_at(a, options.axes, words); };
   refuse_impossible(options);
+  const ModelChoice model = parse_model(a.scene.model);
+  for (SweepAxis& axis : options.axes) axis.whole = takes_whole_numbers(*model.spec, axis);
   const std::string dir = a.out.empty() ? "swarmfit-sweep" : a.out;
   if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);

@@ -108,7 +108,7 @@ std::vector<SweepCell> grid(const std::vector<SweepAxis>& axes) {
   return cells;
 }
 
-// Between the ends of the axes. A number that the axis gives as whole numbers only stays whole; words are taken as they come.
+// Between the ends of the axes. Words are taken as they come.
 std::vector<SweepCell> hypercube(const SweepOptions& o) {
   std::vector<SweepCell> cells;
   for (const Point& p : latin_hypercube(o.latin, static_cast<int>(o.axes.size()), Rng{o.seed}.derive(Stream::probe, 0))) {
@@ -116,10 +116,9 @@ std::vector<SweepCell> hypercube(const SweepOptions& o) {
     for (std::size_t a = 0; a < o.axes.size(); ++a) {
       const SweepAxis& axis = o.axes[a];
       const double lower = axis.value.front(), upper = axis.value.back(), u = p[static_cast<Eigen::Index>(a)];
-      const bool whole = axis.numeric && std::all_of(axis.value.begin(), axis.value.end(), [](double v) { return v == std::floor(v); });
       const auto k = std::min(static_cast<std::size_t>(u * static_cast<double>(axis.value.size())), axis.value.size() - 1);
       double value = axis.log ? lower * std::exp(u * std::log(upper / lower)) : lower + u * (upper - lower);
-      if (whole) value = std::min(upper, std::floor(lower + u * (upper - lower + 1)));
+      if (axis.whole) value = std::min(upper, std::floor(lower + u * (upper - lower + 1)));
       cell.place.push_back(axis.numeric ? value : axis.value[k]);
       cell.words.push_back(axis.numeric ? fmt::format("{}", value) : axis.words[k]);
     }
@@ -191,7 +190,8 @@ Sweep run_sweep(const SweepOptions& options, const OnSweep& on_progress, const R
   sweep.cells = sweep.latin ? hypercube(options) : grid(options.axes);
   const std::size_t up = sweep.cells.size();
   if (options.hysteresis) {
-    sweep.cells.insert(sweep.cells.end(), sweep.cells.begin(), sweep.cells.begin() + static_cast<std::ptrdiff_t>(up));
+    const std::vector<SweepCell> way_up = sweep.cells;
+    sweep.cells.insert(sweep.cells.end(), way_up.begin(), way_up.end());
     for (std::size_t k = up; k < sweep.cells.size(); ++k) sweep.cells[k].down = true;
   }
   const std::vector<SweepScene> scenes = scenes_of(options, sweep);

@@ -23,6 +23,7 @@ struct SweepAxis {
   std::vector<std::string> words;  // as they were given, or the shortest text of the number
   bool log = false;                // evenly spaced logarithms
   bool numeric = true;
+  bool whole = false;  // of a Latin hypercube: whole numbers only
 };
 // "name=lo:hi:n", "name=lo:hi:n:log", "name=a,b,c". Throws InputError.
 SweepAxis parse_axis(const std::string& text);

@@ -36,7 +36,7 @@ SweepAxis range(const std::string& text, const std::string& name, const std::vec
   if (log && parts[3] != "log") refuse(text, "is not understood");
   if (count == 1 ? lower != upper : !(lower < upper)) refuse(text, "does not ascend");
   if (log && !(lower > 0)) refuse(text, "has no logarithms");
-  SweepAxis axis{name, {}, {}, log, true};
+  SweepAxis axis{name, {}, {}, log, true, false};
   const auto n = static_cast<int>(count);
   for (int k = 0; k < n; ++k) {
     const double share = n > 1 ? static_cast<double>(k) / (n - 1) : 0;
@@ -61,7 +61,7 @@ SweepAxis parse_axis(const std::string& text) {
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) refuse(text, "names no values");
   const std::string name = text.substr(0, equals), values = text.substr(equals + 1);
   if (const auto parts = split(values, ':'); parts.size() == 3 || parts.size() == 4) return range(text, name, parts);
-  SweepAxis axis{name, {}, {}, false, true};
+  SweepAxis axis{name, {}, {}, false, true, false};
   for (const std::string& word : split(values, ',')) {
     double value = 0;
     if (word.empty()) refuse(text, "has an empty value");

@@ -142,8 +142,8 @@ std::string measure_text(const TrackMeta& meta, const Measured& measured, TextSt
     out += paint(wrapped(heading(g, meta), kWidth), Paint::bold, style) + "\n";
     out += means_text(g, meta, style);
     if (std::isfinite(g.curves.correlation_length))
-      out += wrapped(fmt::format(" correlation length of velocity fluctuations {}, standard error {}", rounded(g.curves.correlation_length),
-                                 rounded(g.curves.correlation_length_se)),
+      out += wrapped(fmt::format(" correlation length of velocity fluctuations {} {}, standard error {}",
+                                 rounded(g.curves.correlation_length), printable(meta.unit), rounded(g.curves.correlation_length_se)),
                      kWidth, " ") +
              '\n';
     out += states_text(g, meta);
