@@ -2,7 +2,6 @@
 #include "libeval/group/order_table.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -79,9 +78,8 @@ std::vector<const OrderParameter*> order_parameters_named(const std::vector<std:
     } else if (const OrderParameter* p = find_order_parameter(key)) {
       add(*p);
     } else {
-      std::vector<std::string_view> known;
-      for (const OrderParameter& each : kTable) known.push_back(each.key);
-      throw InputError(fmt::format("'{}' is no order parameter; expected all, usual or one of {}", key, fmt::join(known, ", ")));
+      throw InputError(fmt::format("'{}' is no order parameter; expected all, usual or names such as polarisation, extent (docs/group.md)",
+                                   key.substr(0, 60)));
     }
   }
   return out;

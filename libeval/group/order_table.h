@@ -25,7 +25,7 @@ std::span<const OrderParameter> order_table();
 
 // Of this key, or null.
 const OrderParameter* find_order_parameter(std::string_view key);
-// "polarisation,extent", "all", "usual". Throws InputError naming those there are.
+// "polarisation,extent", "all", "usual". Throws InputError.
 std::vector<const OrderParameter*> order_parameters_named(const std::vector<std::string>& keys);
 
 // Values by frame, one row per moment that was seen; a stream's visitor.
