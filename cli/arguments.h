@@ -11,6 +11,8 @@
 #include "fit/compare/compare.h"
 #include "fit/study/recovery.h"
 #include "libtrack/clean.h"
+#include "fit/study/sweep.h"
+#include "libeval/group/measured.h"
 #include "libtrack/read/read.h"
 
 namespace swarmfit::cli {
@@ -51,9 +53,11 @@ struct Arguments {
   bool common_dynamics = false;  // fit what the models have in common once
   RecoveryOptions recovery;      // without its CompareOptions
   bool parameters = false;       // recover the parameters of one model, instead of which model
-  int seeds = 0;                 // of power
-  Part part;                     // of a study: recover or power
+  int seeds = 0;                 // of power and sweep
+  Part part;                     // of a study: recover, power or sweep
   SceneArguments scene;
+  MeasureOptions measure;  // of measure and sweep
+  SweepOptions sweep;      // without what it is measured by, seeds and scene
 
   std::string out, html, picture;    // to write
   std::string table, dir, name;      // to read: a table of energies, a run; a model to tell of

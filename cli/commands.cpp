@@ -16,19 +16,21 @@
 namespace swarmfit::cli {
 namespace {
 
-const std::array<Command, 16> kCommands{{
+const std::array<Command, 18> kCommands{{
     {"describe", kDescribe, "what is in a recording and what is wrong with it", describe},
     {"convert", kConvert, "write a recording as CSV, cleaned and with its units", convert},
     {"simulate", kSimulate, "trajectories from a scenario or a model", simulate},
     {"evaluate", kEvaluate, "seven energies and the order parameters of two recordings", evaluate},
+    {"measure", kMeasure, "order parameters and states of a group over time", measure},
     {"weigh", kWeigh, "entropy weights and scores of an energy table", weigh},
     {"fit", kFit, "best parameters of one model", fit},
     {"compare", kCompare, "fit several models and rank them", compare},
-    {"resume", kResume, "go on with an interrupted fit, compare, recover or power; same final bits", resume},
+    {"resume", kResume, "go on with an interrupted fit, compare, recover, power or sweep; same final bits", resume},
     {"report", kReport, "figures, tables and methods of a run, in the formats of a paper", report},
     {"recover", kRecover, "recordings made by each model, compared with all: which model wins on whose?", recover},
     {"power", kPower, "before any ranking: which models could this recording tell apart, and how much more would it take?", power},
-    {"merge", kMerge, "one study of the parts that recover or power made with --part", merge},
+    {"sweep", kSweep, "a model over a range of parameters: phase diagrams, order-parameter curves, hysteresis", sweep},
+    {"merge", kMerge, "one study of the parts that recover, power or sweep made with --part", merge},
     {"models", kModels, "the models, their settings and parameters", list_models},
     {"scenarios", kScenarios, "scenes to simulate: their names, or the file of one", list_scenarios},
     {"gallery", kGallery, "a page with every scenario in motion", gallery},
@@ -54,8 +56,8 @@ int resume(const Arguments& a) {
   run_of->resume = true;
   run_of->max_time = a.max_time;
   run_of->part = a.part;
-  if (a.part.of > 1 && run_of->command != "recover" && run_of->command != "power")
-    throw InputError(fmt::format("`part`: {} is a run of swarmfit {}; expected recover or power", a.dir, run_of->command));
+  if (a.part.of > 1 && run_of->command != "recover" && run_of->command != "power" && run_of->command != "sweep")
+    throw InputError(fmt::format("`part`: {} is a run of swarmfit {}; expected recover, power or sweep", a.dir, run_of->command));
   run_of->common.threads = a.common.threads;
   run_of->common.json = a.common.json;
   run_of->common.quiet = a.common.quiet;

@@ -13,17 +13,20 @@ int run(const Arguments&);  // the command that they name
 int describe(const Arguments&);
 int convert(const Arguments&);
 int evaluate(const Arguments&);
+int measure(const Arguments&);
 int weigh(const Arguments&);
 int simulate(const Arguments&);
 int fit(const Arguments&);      // exactly one model
 int compare(const Arguments&);  // two or more
 int resume(const Arguments&);
 int merge(const Arguments&);  // of the parts of a study, which are resumed as one
-// "fit", "compare", "recover" or "power": which command left this unfinished run? Throws InputError if there is nothing to go on with.
+// "fit", "compare", "recover", "power" or "sweep": which command left this unfinished run? Throws InputError if there is nothing to go on
+// with.
 std::string command_of_run(const std::string& dir);
 int report(const Arguments&);  // the files of a run in a paper's formats
 int recover(const Arguments&);
 int power(const Arguments&);
+int sweep(const Arguments&);
 int gallery(const Arguments&);
 int list_models(const Arguments&);
 int list_scenarios(const Arguments&);

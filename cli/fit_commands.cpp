@@ -144,9 +144,9 @@ int run_fit(const Arguments& a) {
 
 std::string command_of_run(const std::string& dir) {
   std::string command = unfinished_run(dir);
-  constexpr std::array kGoOn = {"fit", "compare", "recover", "power"};
+  constexpr std::array kGoOn = {"fit", "compare", "recover", "power", "sweep"};
   if (std::find(kGoOn.begin(), kGoOn.end(), command) == kGoOn.end())
-    throw InputError(fmt::format("{}: a run of swarmfit {}; expected one of fit, compare, recover or power", dir, command));
+    throw InputError(fmt::format("{}: a run of swarmfit {}; expected one of fit, compare, recover, power or sweep", dir, command));
   return command;
 }
 

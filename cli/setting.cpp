@@ -84,7 +84,8 @@ std::uint64_t Value::natural() const {
 std::span<const Setting> settings() {
   static const std::vector<Setting> kAllSettings = [] {
     std::vector<Setting> all;
-    for (const auto& part : {data_settings(), run_settings(), scene_settings(), comparison_settings(), output_settings()})
+    for (const auto& part :
+         {data_settings(), run_settings(), scene_settings(), measure_settings(), comparison_settings(), output_settings()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();
@@ -132,6 +133,7 @@ Arguments understood(const Command& command, const Values& given) {
   if ((command.bit & kComparisons) != 0) fill_protocol(values, command.bit);
   for (const Setting& s : settings())
     if (holds_in(s, command.bit)) use(s, a, values);
+  if ((command.bit & kMeasurements) != 0) a.config = config_of(command.bit, written);
   if ((command.bit & kComparisons) == 0) return a;
   // What recover compares with stays as it was given: every recording that it makes is another one.
   if (command.bit != kRecover) written = values;

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// Values about their mean along unbroken runs of one individual; NaN where the metric is undefined.
 using Series = std::vector<std::vector<double>>;
 
 Series series_of(const Tracks& tracks, const std::vector<double>& values, const std::vector<Index>& rows, double mean) {
@@ -41,18 +40,21 @@ double effective(const Tracks& tracks, const std::vector<double>& values, const 
   const auto n = static_cast<double>(values.size());
   const double variance = n > 0 ? moments.m2 / n : 0;
   if (!(variance > 0)) return kNaN;
-  const Series series = series_of(tracks, values, rows, moments.mean);
   const auto most = static_cast<std::size_t>((tracks.frames().back().number - tracks.frames().front().number) / 3);
+  return effective_size(series_of(tracks, values, rows, moments.mean), n, variance, most);
+}
+
+}  // namespace
+
+double effective_size(const std::vector<std::vector<double>>& runs, double n, double variance, std::size_t longest) {
   double time = -1;  // 1 + 2 (rho_1 + rho_2 + ...) = -1 + 2 (rho_0 + rho_1) + 2 (rho_2 + rho_3) + ...
-  for (std::size_t lag = 0; lag <= most; lag += 2) {
-    const double pair = (autocovariance(series, lag) + autocovariance(series, lag + 1)) / variance;
+  for (std::size_t lag = 0; lag <= longest; lag += 2) {
+    const double pair = (autocovariance(runs, lag) + autocovariance(runs, lag + 1)) / variance;
     if (pair <= 0) break;
     time += 2 * pair;
   }
   return std::clamp(n / std::max(time, 1.0), 1.0, n);
 }
-
-}  // namespace
 
 PerColumn<double> independent_samples(const Tracks& tracks, const MetricOptions& options) {
   MetricOptions with_rows = options;

@@ -13,4 +13,7 @@ namespace swarmfit {
 // bound where a group moves as one. At least 1, at most n; NaN where the metric is undefined or constant.
 PerColumn<double> independent_samples(const Tracks& tracks, const MetricOptions& options = {});
 
+// The same of n values in runs of neighbours, about their common mean and with this variance, lags up to `longest`; NaN in a run: a gap.
+double effective_size(const std::vector<std::vector<double>>& runs, double n, double variance, std::size_t longest);
+
 }  // namespace swarmfit

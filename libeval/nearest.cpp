@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "libeval/nearest.h"
+
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
@@ -91,6 +93,15 @@ void by_tree(const Cloud& cloud, double* squared, Index* who) {
   }
 }
 
+// Of the individuals of a cloud; their rows are counted from `first`.
+void nearest_in(const Cloud& cloud, bool tree, Index first, double* distance, Index* who) {
+  tree ? by_tree(cloud, distance, who) : all_pairs(cloud, distance, who);
+  for (Index i = 0; i < cloud.count; ++i) {
+    distance[i] = std::sqrt(distance[i]);
+    if (who[i] >= 0) who[i] += first;
+  }
+}
+
 }  // namespace
 
 Nearest nearest_neighbours(const Tracks& tracks, NearestMethod method) {
@@ -100,15 +111,17 @@ Nearest nearest_neighbours(const Tracks& tracks, NearestMethod method) {
   for (const FrameRange& frame : tracks.frames()) {
     const Index first = frame.first;
     const Cloud cloud{pos.col(0).data() + first, pos.col(1).data() + first, pos.col(2).data() + first, frame.count};
-    double* const squared = out.distance.data() + first;
-    Index* const who = out.row.data() + first;
     const bool tree = method == NearestMethod::tree || (method == NearestMethod::automatic && frame.count >= kTreeFrom);
-    tree ? by_tree(cloud, squared, who) : all_pairs(cloud, squared, who);
-    for (Index i = 0; i < frame.count; ++i) {
-      squared[i] = std::sqrt(squared[i]);
-      if (who[i] >= 0) who[i] += first;
-    }
+    nearest_in(cloud, tree, first, out.distance.data() + first, out.row.data() + first);
   }
+  return out;
+}
+
+NearestOthers nearest_others(const Rows& places) {
+  const auto n = static_cast<std::size_t>(places.rows());
+  NearestOthers out{std::vector<Index>(n, -1), std::vector<double>(n, kInfinity)};
+  const Cloud cloud{places.col(0).data(), places.col(1).data(), places.col(2).data(), places.rows()};
+  nearest_in(cloud, places.rows() >= kTreeFrom, 0, out.distance.data(), out.row.data());
   return out;
 }
 

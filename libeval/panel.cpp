@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "libeval/centre.h"
 #include "libeval/metrics.h"
 #include "libeval/order.h"
+#include "libeval/spacing.h"
 
 namespace swarmfit {
 namespace {
@@ -19,8 +19,6 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLagGrowth = 1.12;
 constexpr std::size_t kBlocks = 8;
-constexpr double kPoisson3 = 0.55396;  // Γ(4/3) (4π/3)^(-1/3)
-constexpr double kPoisson2 = 0.5;
 
 // Everything the panel is made of, as sums over rows or frames.
 struct AxisSums {
@@ -189,10 +187,8 @@ double stiffness(const AxisSums& s) { return -(s.n * s.xa - s.x * s.a) / (s.n * 
 
 double nearest_ratio(const Sums& s, int dims) {
   const Eigen::Matrix3d covariance = s.scatter / s.spread_free;
-  // Volume of the uniform ellipsoid with this covariance: its semi-axes are sqrt(5) standard deviations, those of an ellipse 2.
-  const double volume = dims == 3 ? 4.0 / 3.0 * std::numbers::pi * std::pow(5, 1.5) * std::sqrt(covariance.determinant())
-                                  : 4 * std::numbers::pi * std::sqrt(covariance.topLeftCorner<2, 2>().determinant());
-  return s.nearest / ((dims == 3 ? kPoisson3 : kPoisson2) * std::pow(volume, 1.0 / dims) * s.spacing);
+  const double determinant = dims == 3 ? covariance.determinant() : covariance.topLeftCorner<2, 2>().determinant();
+  return s.nearest / (poisson_nearest(dims) * std::pow(uniform_volume(determinant, dims), 1.0 / dims) * s.spacing);
 }
 
 // First zero of a curve given at some lags; NaN if there is none.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "fit/experiment/kept_work.h"
 #include "fit/experiment/observe.h"
 #include "libtrack/file.h"
 #include "libtrack/kinematics.h"
@@ -10,8 +11,7 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kEscapeSpeed = 1e3;       // in units of the recorded mean speed: nothing recorded moves like that
-constexpr std::size_t kKeptTogether = 64;  // runs between two records of a checkpoint, at most: what a kill costs
+constexpr double kEscapeSpeed = 1e3;  // in units of the recorded mean speed: nothing recorded moves like that
 
 std::string key_of(const std::string& identity, const std::string& name, const Job& job) {
   std::string bytes = identity;
@@ -91,27 +91,15 @@ std::vector<std::string> Ensemble::measured_bytes(std::span<const Job> jobs, con
   Checkpoint* checkpoint = name.empty() ? nullptr : runtime_.checkpoint;
   if (!checkpoint) return made(jobs.size(), make);
 
-  std::vector<std::string> results(jobs.size()), keys;
-  std::vector<std::size_t> missing;
-  for (std::size_t k = 0; k < jobs.size(); ++k) {
-    keys.push_back(key_of(identity(jobs[k].finer), name, jobs[k]));
-    if (auto kept = checkpoint->find(keys[k]))
-      results[k] = std::move(*kept);
-    else
-      missing.push_back(k);
-  }
-  if (runtime_.tally) runtime_.tally->found += static_cast<std::int64_t>(jobs.size() - missing.size());
-  for (std::size_t done = 0; done < missing.size(); done += kKeptTogether) {
-    const std::span batch(missing.begin() + static_cast<std::ptrdiff_t>(done), std::min(kKeptTogether, missing.size() - done));
-    auto fresh = made(batch.size(), [&](std::size_t i) { return make(batch[i]); });
-    std::vector<Checkpoint::Record> records;
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      records.emplace_back(keys[batch[i]], fresh[i]);
-      results[batch[i]] = std::move(fresh[i]);
-    }
-    checkpoint->add(records);
-  }
-  return results;
+  std::vector<std::string> keys;
+  for (const Job& job : jobs) keys.push_back(key_of(identity(job.finer), name, job));
+  bool first = true;
+  const auto found = [&](std::size_t kept) {
+    if (runtime_.tally && first) runtime_.tally->found += static_cast<std::int64_t>(kept);
+    first = false;
+  };
+  const auto work = [&](std::span<const std::size_t> batch) { return made(batch.size(), [&](std::size_t i) { return make(batch[i]); }); };
+  return kept_work(checkpoint, keys, work, found);
 }
 
 std::vector<Rng> replicate_seeds(const Rng& root, Stream stream, int replicates) {

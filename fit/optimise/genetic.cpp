@@ -47,7 +47,8 @@ class Draws {
 
 bool cheaper(const Evaluated& a, const Evaluated& b) { return a.cost < b.cost; }
 
-// Every coordinate takes each of the `count` equal intervals exactly once (McKay, Beckman and Conover 1979).
+}  // namespace
+
 std::vector<Point> latin_hypercube(int count, int dimensions, const Rng& rng) {
   std::vector<Point> sample(count, Point(dimensions));
   std::vector<int> interval(count);
@@ -59,6 +60,8 @@ std::vector<Point> latin_hypercube(int count, int dimensions, const Rng& rng) {
   }
   return sample;
 }
+
+namespace {
 
 // Scale and crossover rate of a differential step.
 struct Setting {

@@ -113,4 +113,8 @@ struct Found : SearchResult {
 Found search(int dimensions, const BatchCost& cost, const SearchOptions& options, const Rng& rng, const std::vector<Evaluated>& start = {},
              const OnGeneration& on_generation = {});
 
+// Points of the unit cube, of which every coordinate takes each of the `count` equal intervals exactly once (McKay, Beckman and Conover
+// 1979).
+std::vector<Point> latin_hypercube(int count, int dimensions, const Rng& rng);
+
 }  // namespace swarmfit

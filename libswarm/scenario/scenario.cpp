@@ -182,12 +182,16 @@ Plan plan_of(const Scenario& scene) {
   return plan;
 }
 
-Counters play(const Scenario& scene, FrameSink& agents, FrameSink* stimuli) {
-  const Plan plan = plan_of(scene);
+std::unique_ptr<Model> model_of(const Scenario& scene) {
   int kinds = 1;
   for (const Group& g : scene.groups) kinds = std::max(kinds, g.kind + 1);
-  const auto rule =
-      make_model(scene.model, {.dims = scene.dims, .scales = scene.scales, .step = plan.frame_dt / plan.substeps, .kinds = kinds});
+  return make_model(scene.model,
+                    {.dims = scene.dims, .scales = scene.scales, .step = scene.dt / scene.steps_per_frame(), .kinds = kinds});
+}
+
+Counters play(const Scenario& scene, FrameSink& agents, FrameSink* stimuli) {
+  const Plan plan = plan_of(scene);
+  const auto rule = model_of(scene);
   Lane lane{scene.parameters, {scene.seed}, start_of(scene), world_of(scene), nullptr, {}, false};
   FromNow from_now(scene.warm_up, agents, stimuli, lane.world);
   lane.out = &from_now;

@@ -95,6 +95,7 @@ void set_parameter(Scenario& scene, std::string_view name, double value);
 Bounds box_of(double side, int dims);
 
 // What of a scenario is simulated: for whoever steps it otherwise than play(). `seed` and `warm_up` are the scenario's.
+std::unique_ptr<Model> model_of(const Scenario& scene);  // throws InputError if it refuses the scene
 World world_of(const Scenario& scene);
 State start_of(const Scenario& scene);  // without those who arrive later
 Plan plan_of(const Scenario& scene);    // frame 0 of the plan is the first of the warm-up

@@ -117,9 +117,10 @@ void Sheet::path(const std::string& d, const Stroke& stroke, std::string_view fi
   body_ += fmt::format("<path d=\"{}\" fill=\"{}\"{}{}/>\n", d, fill, stroke_attributes(stroke), inside);
 }
 
-void Sheet::rectangle(const Box& box, std::string_view fill, const Stroke& stroke) {
-  body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"{}/>\n", length(box.left), length(box.top),
-                       length(box.width), length(box.height), fill, stroke_attributes(stroke));
+void Sheet::rectangle(const Box& box, std::string_view fill, const Stroke& stroke, std::string_view title) {
+  body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"{}{}\n", length(box.left), length(box.top),
+                       length(box.width), length(box.height), fill, stroke_attributes(stroke),
+                       title.empty() ? "/>" : fmt::format("><title>{}</title></rect>", xml_escaped(title)));
 }
 
 void Sheet::text(Point at, const Text& text, Anchor anchor, std::string_view colour) {

@@ -56,7 +56,8 @@ class Sheet {
   int clip(const Box& box);  // for paths that are to be cut there
   // `d` as in SVG; `fill` may be "none"; `clip` as returned above, 0: whole.
   void path(const std::string& d, const Stroke& stroke, std::string_view fill = "none", int clip = 0);
-  void rectangle(const Box& box, std::string_view fill, const Stroke& stroke);
+  // `title` shows where the pointer rests.
+  void rectangle(const Box& box, std::string_view fill, const Stroke& stroke, std::string_view title = "");
   void text(Point at, const Text& text, Anchor anchor = Anchor::start, std::string_view colour = kInk);  // `at`: on the base line
   void turned_text(Point at, const Text& text);                                                          // upwards, centred about `at`
   // Soft text broken into lines as wide as the sheet, the first one's base line at y. Returns the y of the line that would follow.

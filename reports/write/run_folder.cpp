@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::string_view kMark = "# A run of swarmfit";  // first words of every config.toml of ours
 
-constexpr std::array kResults = {"results.json", "summary.json", "recovery.json", "power.json"};  // each is written last
+constexpr std::array kResults = {"results.json", "summary.json", "recovery.json",
+                                 "power.json",   "measure.json", "sweep.json"};  // each is written last
 
 bool has_result(const fs::path& dir) {
   return std::any_of(kResults.begin(), kResults.end(), [&](const char* result) { return fs::exists(dir / result); });
