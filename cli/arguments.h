@@ -10,9 +10,9 @@
 
 #include "fit/compare/compare.h"
 #include "fit/study/recovery.h"
-#include "libtrack/clean.h"
 #include "fit/study/sweep.h"
 #include "libeval/group/measured.h"
+#include "libtrack/clean.h"
 #include "libtrack/read/read.h"
 
 namespace swarmfit::cli {

@@ -15,7 +15,7 @@ namespace swarmfit::cli {
 int measure(const Arguments& a) {
   const std::string dir = a.out.empty() ? "swarmfit-measure" : a.out;
   check_run_directory(dir);
-  const Tracks tracks = load(a.read, a.recordings.front(), a.kind);
+  const Tracks tracks = load(a, a.recordings.front());
   const Measured measured = swarmfit::measure(tracks, a.measure);
   write_measured(dir, tracks.meta(), measured, a.config, kVersion);
   std::fputs(a.common.json ? to_json(tracks.meta(), measured, a.config).c_str() : measure_text(tracks.meta(), measured, style()).c_str(),

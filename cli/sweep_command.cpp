@@ -55,8 +55,8 @@ Scenario scene_at(const Arguments& given, const std::vector<SweepAxis>& axes, co
     else if (option)
       scene.model = with_option(scene.model, name, words[k]);
     else if (scene_setting(name) == nullptr)
-      throw InputError(fmt::format("`axis` {}: {} has no such parameter or option, and a scene no such number; see swarmfit models {}", name,
-                                   spec.name, spec.name));
+      throw InputError(fmt::format("`axis` {}: {} has no such parameter or option, and a scene no such number; see swarmfit models {}",
+                                   name, spec.name, spec.name));
   }
   return scene;
 }

@@ -43,7 +43,8 @@ void require_same_run(const std::string& path, std::string_view bytes, const Run
   if (!bytes.starts_with(kMagic)) refuse("is no checkpoint, or its head is damaged");
   std::string_view wanted = expected;
   line(bytes), line(wanted);
-  if (const auto version = line(bytes); version != line(wanted)) refuse(fmt::format("was written by another {}", version.substr(0, 40)));
+  if (const auto version = line(bytes); version != line(wanted))
+    refuse(fmt::format("was written by another {}", shown(version.substr(0, 40))));
   if (line(bytes) != line(wanted)) refuse("belongs to another recording, or the recording has changed");
   refuse("belongs to a run with other settings: config.toml has changed");
 }

@@ -160,8 +160,7 @@ std::vector<Scenario> scenes_of(const SweepOptions& options, const Sweep& sweep)
   std::vector<Scenario> scenes;
   for (const SweepCell& cell : sweep.cells) {
     scenes.push_back(options.scene_at(cell.words));
-    const SweepScene& s = scenes.back();
-    make_model(s.model, {.dims = s.scene.dims, .scales = s.film.scales, .step = s.film.dt / s.film.substeps});  // refuses what it cannot do
+    model_of(scenes.back());  // refuses what it cannot do
   }
   return scenes;
 }

@@ -185,8 +185,7 @@ Plan plan_of(const Scenario& scene) {
 std::unique_ptr<Model> model_of(const Scenario& scene) {
   int kinds = 1;
   for (const Group& g : scene.groups) kinds = std::max(kinds, g.kind + 1);
-  return make_model(scene.model,
-                    {.dims = scene.dims, .scales = scene.scales, .step = scene.dt / scene.steps_per_frame(), .kinds = kinds});
+  return make_model(scene.model, {.dims = scene.dims, .scales = scene.scales, .step = scene.dt / scene.steps_per_frame(), .kinds = kinds});
 }
 
 Counters play(const Scenario& scene, FrameSink& agents, FrameSink* stimuli) {

@@ -93,9 +93,9 @@ class Pages:
         printed = subprocess.run([self.program, *arguments, "--json"], cwd=self.folder, capture_output=True, text=True, timeout=60, check=True)
         return json.loads(printed.stdout)
 
-    def models(self):
-        """Names of all models."""
-        return [model["name"] for model in self.json("models")["models"]]
+    def scenarios(self):
+        """Names of all scenarios."""
+        return [scene["name"] for scene in self.json("scenarios")["scenarios"]]
 
     def hostile_recording(self):
         """The same recording as a page of its own."""

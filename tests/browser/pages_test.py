@@ -109,7 +109,7 @@ class OtherPages(Page):
     # Every model has a player, and only those in sight run.
     def test_gallery(self):
         self.open("gallery")
-        names = self.pages.models()
+        names = self.pages.scenarios()
         self.wait("the players", "return document.querySelectorAll('.player .play').length === arguments[0]", len(names))
         self.pause()
         last = "return [...document.querySelectorAll('.player .time')].pop().textContent"
