@@ -228,7 +228,7 @@ TEST_P(EveryModel, NoiselessMotionTurnsAndShiftsWithTheAgents) {
   b.state.pos = turned(a.state.pos).rowwise() + shift;
   b.state.vel = turned(a.state.vel);
   for (Lane* lane : {&a, &b}) {
-    const Tracks reference = recording_of(lane->state);
+    const Tracks reference = flight_of(lane->state);
     const Made made = make(setting, 3, &reference);
     silence(made, *lane);
     run(made, kShort, *lane);
@@ -318,7 +318,7 @@ TEST_P(EveryModel, ManyRandomCandidatesMoveAboutAsFastAsTheRecording) {
   const ModelChoice choice = parse_model(GetParam());
   for (const Recording& r : {midges, jackdaws}) {
     swarmfit::Setup setup;  // not testing::Test::Setup
-    const Tracks reference = recording_of(crowd(make(GetParam()), r.agents, 2 * r.scales.extent, r.scales.speed).state);
+    const Tracks reference = flight_of(crowd(make(GetParam()), r.agents, 2 * r.scales.extent, r.scales.speed).state);
     setup.reference = &reference;
     setup.scales = r.scales;
     const Made made{choice, make_model(choice, setup)};
