@@ -9,6 +9,7 @@
 
 #include "fit/compare/compare.h"
 #include "fit/study/recovery.h"
+#include "fit/synthesis/extend.h"
 #include "libtrack/read/read.h"
 
 namespace swarmfit::cli {
@@ -30,6 +31,8 @@ struct SceneArguments {
   double fps = 100, box = 20, noise = 0, dropout = 0;
   double start_radius = 0, start_speed = 0.3;
   std::string unit = "su";
+  std::string curve;          // heart, star or a file; empty: none
+  std::string like = "demo";  // recording of which models are told that need one
 };
 
 struct Arguments {
@@ -50,6 +53,9 @@ struct Arguments {
   int seeds = 0;                 // of power
   Part part;                     // of a study: recover or power
   SceneArguments scene;
+
+  ExtendOptions extending;  // of extend; its pilot also of augment
+  int add = 0;              // of augment: agents
 
   std::string out, html, picture;    // to write
   std::string table, dir, name;      // to read: a table of energies, a run; a model to tell of

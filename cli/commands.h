@@ -15,6 +15,8 @@ int convert(const Arguments&);
 int evaluate(const Arguments&);
 int weigh(const Arguments&);
 int simulate(const Arguments&);
+int extend(const Arguments&);   // tracks go on, gaps are bridged
+int augment(const Arguments&);  // simulated agents among recorded ones
 int fit(const Arguments&);      // exactly one model
 int compare(const Arguments&);  // two or more
 int resume(const Arguments&);

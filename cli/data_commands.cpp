@@ -60,6 +60,8 @@ int simulate(const Arguments& a) {
     throw InputError("simulate: nothing to write; expected --out FILE, --picture FILE or --html FILE");
   const Scene scene = simulated(a.scene);
   const Tracks& tracks = scene.tracks;
+  if (!a.common.quiet)
+    for (const std::string& note : tracks.meta().from.notes) std::fprintf(stderr, "swarmfit: %s\n", note.c_str());
   if (!a.out.empty()) write_tracks(a.out, tracks);
   if (!a.picture.empty()) write_file_atomically(a.picture, picture_svg(tracks, scene.model.name));
   if (!a.html.empty())

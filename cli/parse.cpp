@@ -57,8 +57,8 @@ std::vector<ModelChoice> preset_models(const std::string& preset) {
   std::vector<std::string> all = noise;
   all.insert(all.end(), ablation.begin() + 1, ablation.end());
   all.insert(all.end(), published.begin() + 1, published.end());
-  for (const auto& spec : models())
-    if (std::find(all.begin(), all.end(), spec.name) == all.end()) all.emplace_back(spec.name);
+  for (const auto& spec : models())  // what is made of the recording itself is no rival of what is not: it is asked for by name
+    if (!spec.needs_reference && std::find(all.begin(), all.end(), spec.name) == all.end()) all.emplace_back(spec.name);
   return parse_models(all);
 }
 
@@ -88,6 +88,19 @@ std::map<std::string, std::pair<double, double>> parse_bounds(const std::vector<
     const auto colon = range.find(':');
     if (colon == std::string::npos) throw InputError(fmt::format("'{}' is not allowed; expected parameter=lower:upper", shown(text)));
     out[name] = {number(std::string_view(range).substr(0, colon), text), number(std::string_view(range).substr(colon + 1), text)};
+  }
+  return out;
+}
+
+PerIndividual parse_frames(const std::vector<std::string>& texts, std::int64_t otherwise) {
+  constexpr double most = 10'000'000;
+  PerIndividual out{otherwise, {}};
+  for (const auto& text : texts) {
+    const auto equals = text.rfind('=');
+    const double frames = number(std::string_view(text).substr(equals == std::string::npos ? 0 : equals + 1), text);
+    if (frames < 0 || frames > most || frames != std::floor(frames))
+      throw InputError(fmt::format("'{}' is not allowed; expected frames or NAME=frames, a whole number from 0 to {}", shown(text), most));
+    (equals == std::string::npos ? out.all : out.own[text.substr(0, equals)]) = static_cast<std::int64_t>(frames);
   }
   return out;
 }

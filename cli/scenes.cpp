@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "cli/parse.h"
+#include "cli/recordings.h"
 #include "fit/experiment/plant.h"
 
 namespace swarmfit::cli {
@@ -38,6 +40,7 @@ const std::vector<Motif>& motifs() {
       {"rvo", 60, 50, 100, 20, 0, 3, 3, {"max_speed=0.8", "radius=0.15"}},
       {"brownian", 60, 60, 300, 60, 0, 2, 3, {}},
       {"langevin", 60, 80, 300, 60, 0, 2, 3, {}},
+      {"fastswarm", 60, 80, 100, 50, 0, 120, 3, {"d_rep=25", "inner=45", "outer=120", "scale=60", "w_cos=0.5"}},
       {"zonal", 80, 18, 1500, 10, 0, 4, 3, {"blind=1.5708"}},
       {"", 60, 60, 300, 60, 20, 0, 3, {}},
   };
@@ -54,12 +57,13 @@ const Motif& motif_of(const std::string& model) {
 
 Scene simulated(const SceneArguments& a) {
   Scene scene{parse_model(a.model), {}, {}};
+  if (!a.curve.empty()) return along_curve(a);
   PlantOptions o;
   o.dims = a.dims;
   o.agents = a.agents;
   o.frames = a.frames;
   o.dt = 1 / a.fps;
-  o.substeps = std::max(1, static_cast<int>(std::ceil(o.dt / scene.model.spec->native_dt - 1e-9)));
+  o.substeps = scene.model.spec->fixed_step ? 1 : std::max(1, static_cast<int>(std::ceil(o.dt / scene.model.spec->native_dt - 1e-9)));
   o.warm_up = a.warm_up;
   o.arena = box(a.box, a.dims);
   o.start_radius = a.start_radius > 0 ? a.start_radius : a.box > 0 ? a.box / 4 : 1;
@@ -70,6 +74,8 @@ Scene simulated(const SceneArguments& a) {
   o.unit = a.unit;
   o.path = scene.model.name;
   scene.parameters = scene_parameters(scene.model, parse_assignments(a.set));
+  const auto like = scene.model.spec->needs_reference ? std::optional(load({}, a.like, {})) : std::nullopt;
+  o.reference = like ? &*like : nullptr;
   scene.tracks = plant(scene.model, scene.parameters, o);
   return scene;
 }

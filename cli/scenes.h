@@ -18,6 +18,7 @@ struct Scene {
   Tracks tracks;
 };
 Scene simulated(const SceneArguments&);
+Scene along_curve(const SceneArguments&);  // with a note of how well
 
 ModelCard card_of(const Scene&);
 

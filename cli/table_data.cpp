@@ -8,7 +8,7 @@
 namespace swarmfit::cli {
 namespace {
 
-constexpr Commands kReading = kDescribe | kConvert | kEvaluate | kFits;
+constexpr Commands kReading = kDescribe | kConvert | kEvaluate | kFits | kSyntheses;
 constexpr std::string_view kHeading = "Reading";
 constexpr int kLongestGap = 100000;                // frames
 constexpr double kSlowest = 1e-9, kFastest = 1e9;  // frames per second
@@ -17,7 +17,7 @@ constexpr double kLargestCode = 1e12;              // that stands for a missing 
 std::vector<Setting> inputs() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "DATA",
-       .in = kDescribe | kConvert,
+       .in = kDescribe | kConvert | kSyntheses,
        .help = "recording: a file, - for standard input, or demo",
        .required = true,
        .use = [](Arguments& a, const Value& v) { a.recordings = v.words; }},
@@ -76,7 +76,7 @@ std::vector<Setting> inputs() {  // NOLINT(readability-function-size): a table
       {.name = "preset",
        .in = kCompare | kPower | kRecover,
        .help = "noise: bswarm with its four noises; ablation: bswarm, without noise, without interaction; models: bswarm, noise_aware, "
-               "boids, rvo, brownian and the null model langevin; all: these and every other model",
+               "boids, rvo, brownian and the null model langevin; all: these and every other model that does not learn from the recording",
        .allowed = one_of({"noise", "ablation", "models", "all"}),
        .travels = false,  // as the models it stands for
        .use =

@@ -11,6 +11,7 @@ namespace swarmfit::cli {
 std::vector<Setting> data_settings();        // what a command works on, and how that is read
 std::vector<Setting> run_settings();         // how a command runs
 std::vector<Setting> scene_settings();       // what is simulated and filmed
+std::vector<Setting> synthesis_settings();   // what is simulated among recorded tracks
 std::vector<Setting> comparison_settings();  // how models are fitted and compared
 std::vector<Setting> output_settings();      // what is written where
 

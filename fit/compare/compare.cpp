@@ -185,6 +185,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
     const auto& search = calibration.searches()[m];
     const auto values = search.space().parameters(search.selected().x);
     result.models.push_back(fit_result(search, calibration.weighting()));
+    result.models.back().learns = options.models[m].spec->needs_reference;
     fill_views(result.models.back(), search.selected().views, *judge, conditions.recording);
     if (options.posterior) fill_posterior(result.models.back(), search, Rng{options.seed}.derive(Stream::posterior, m));
     selections.push_back(search.selections());
@@ -205,7 +206,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.p2 = per_column(calibration.weighting().p2);
   fill_sensitivity(result);
   fill_facts(result, recording, conditions, target, options);
-  for (const auto& warnings : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result)})
+  for (const auto& warnings : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result), warnings_of_learning(result)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   return result;
 }

@@ -22,6 +22,7 @@ struct PlantOptions {
   double sigma = 0;          // localisation error per axis [unit]
   double dropout = 0;        // probability per individual and frame that a gap begins
   int longest_gap = 5;       // gaps last 1 .. longest_gap frames, all equally likely
+  const Tracks* reference = nullptr;  // for models that learn from a recording
   std::uint64_t seed = 1;
   std::string unit = "su";
   std::string path;  // shown as where it comes from

@@ -184,11 +184,19 @@ struct Certainty {
   Energies own{};                             // mean raw energies of its own recordings: what a perfect model would have
 };
 
+// Does a model's motion repeat that of the half it was fitted to? Median distances of paths to the nearest path of that half
+// (libeval/nearness.h).
+struct Nearness {
+  double simulated = NAN, recorded = NAN;  // of the model's paths, and of the held-out ones [unit]
+  std::int64_t frames = 0;                 // length of the paths
+};
+
 // A model on the half of the recording that it was not fitted to (fit/compare/hold_out.h), under the weights of the other half.
 struct HeldOut {
   double score = NAN;
   Energies raw{};
   Certainty certainty{};
+  Nearness nearness{};
 };
 
 // Which frames were fitted, and which held out.
@@ -213,6 +221,7 @@ struct FitResult {
   Sensitivity sensitivity;
   Certainty certainty;
   HeldOut held_out{};
+  bool learns = false;                                             // takes its motion from the recording, as fastswarm does
   std::vector<Energies> replicate_energies;                        // raw, one per final replicate
   PerColumn<Distribution> distributions{};                         // pooled final replicates, on the recording's axes
   PerColumn<double> mean_ratio{}, sd_ratio{}, outside_fraction{};  // simulation / recording

@@ -107,6 +107,10 @@ Json parameters(const std::vector<ParameterResult>& table) {
   return out;
 }
 
+Json nearness(const Nearness& n) {
+  return {{"simulated", n.simulated}, {"recorded", n.recorded}, {"ratio", n.simulated / n.recorded}, {"frames", n.frames}};
+}
+
 Json held_out(const Columns& columns, const FitResult& r) {
   const Certainty& c = r.held_out.certainty;
   return {{"score", r.held_out.score},
@@ -116,7 +120,8 @@ Json held_out(const Columns& columns, const FitResult& r) {
           {"group", c.group > 0 ? Json(c.group) : Json()},
           {"set_p", c.set_p},
           {"raw_energies", per_column(columns, r.held_out.raw)},
-          {"own_energies", per_column(columns, c.own)}};
+          {"own_energies", per_column(columns, c.own)},
+          {"nearness", nearness(r.held_out.nearness)}};
 }
 
 Json hold_out(const HoldOutFacts& h) {
