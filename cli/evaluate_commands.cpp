@@ -44,7 +44,7 @@ int evaluate(const Arguments& a) {
   std::fputs((a.common.json ? to_json(result) : evaluation_text(result, style())).c_str(), stdout);
   if (a.html.empty()) return 0;
   PairPortrait both = portrait(real, other, result);
-  both.comparison.observation.velocity = options.velocity == VelocitySource::recorded ? "recorded" : "difference";
+  both.comparison.recording.observation.velocity = options.velocity == VelocitySource::recorded ? "recorded" : "difference";
   write_file_atomically(a.html, evaluation_html(result, both, a.line, kVersion));
   return 0;
 }

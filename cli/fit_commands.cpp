@@ -78,8 +78,8 @@ Comparison run_one(const Arguments& a, CompareOptions options, const Tracks& rec
   const Runtime runtime{&executor(), &checkpoint, &tally};
   if (a.common_dynamics) options = with_common_dynamics(recording, options, on_progress, runtime);
   Comparison result = swarmfit::compare(recording, options, on_progress, runtime);
-  result.version = kVersion;
-  result.config = config;
+  result.run.version = kVersion;
+  result.run.config = config;
   if (!cluster().first()) return result;
   write_run(dir, result);
   write_timing(dir, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), tally);
@@ -110,7 +110,7 @@ int run_several(const Arguments& a, const CompareOptions& options, const std::st
     results.push_back(run_one(a, options, recordings[k], a.recordings[k], dir + '/' + names[k]));
     if (!a.common.json) std::printf("%s\n", ranking_text(results.back(), style()).c_str());
     pages.push_back({names[k], headline(results.back()).sentence});
-    results.back().history.clear();  // written, and long; films likewise
+    results.back().run.history.clear();  // written, and long; films likewise
     results.back().film = {};
     for (auto& model : results.back().models) model.film = {};
   }

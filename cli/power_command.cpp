@@ -40,7 +40,7 @@ int power(const Arguments& a) {
   } catch (const Interrupted&) {
     return stopped_before_the_end(dir);
   }
-  result.fitted.version = kVersion;
+  result.fitted.run.version = kVersion;
   if (!cluster().first()) return 0;
   if (a.part.of > 1) return part_done(dir, a.part, a.common.quiet);
   write_power(dir, result, settings);

@@ -203,6 +203,11 @@ void Moments::add(const Moments& other) {
 
 double Moments::sd() const { return count == 0 ? kNaN : std::sqrt(m2 / static_cast<double>(count)); }
 
+double Moments::standard_error() const {
+  const auto n = static_cast<double>(count);
+  return n > 1 ? std::sqrt(m2 / (n - 1) / n) : NAN;
+}
+
 Target::Target(const MetricSamples& recording, const Binning& binning)
     : binning_(binning),
       columns_(recording.columns),

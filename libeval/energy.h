@@ -47,7 +47,8 @@ struct Moments {
   double m2 = 0;  // sum of squared deviations
   void add(double x);
   void add(const Moments& other);
-  double sd() const;  // population; NaN without samples
+  double sd() const;              // population; NaN without samples
+  double standard_error() const;  // of the mean; NaN for fewer than two
 };
 
 // What one set of tracks (or several replicates pooled) looks like to the evaluator.

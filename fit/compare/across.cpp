@@ -9,8 +9,8 @@
 namespace swarmfit {
 namespace {
 
-const FitResult& of(const Comparison& c, const std::string& model) {
-  return *std::find_if(c.models.begin(), c.models.end(), [&](const FitResult& r) { return r.model == model; });
+const ModelFit& of(const Comparison& c, const std::string& model) {
+  return *std::find_if(c.models.begin(), c.models.end(), [&](const ModelFit& r) { return r.model == model; });
 }
 
 template <class Values>
@@ -25,10 +25,10 @@ ModelAcross model_across(std::span<const Comparison> comparisons, const std::str
   ModelAcross m;
   m.model = name;
   for (const Comparison& c : comparisons) {
-    const FitResult& fit = of(c, name);
-    m.score.push_back(fit.score);
-    m.rank.push_back(fit.rank);
-    m.wins += fit.rank == 1;
+    const ModelFit& fit = of(c, name);
+    m.score.push_back(fit.standing.score);
+    m.rank.push_back(fit.standing.rank);
+    m.wins += fit.standing.rank == 1;
   }
   m.mean_score = mean_of_defined(
       m.score, +[](double x) { return std::isfinite(x); });
@@ -41,15 +41,15 @@ ModelAcross model_across(std::span<const Comparison> comparisons, const std::str
 std::vector<Column> all_columns(std::span<const Comparison> comparisons) {
   std::set<int> lags;
   for (const Comparison& c : comparisons)
-    for (const int lag : lags_of(c.columns)) lags.insert(lag);
+    for (const int lag : lags_of(c.recording.columns)) lags.insert(lag);
   return columns_at({lags.begin(), lags.end()});
 }
 
 PerColumn<double> weights_of(const Comparison& c, const std::vector<Column>& columns) {
   PerColumn<double> out(columns.size(), NAN);
   for (std::size_t j = 0; j < columns.size(); ++j) {
-    const auto at = std::find(c.columns.begin(), c.columns.end(), columns[j]);
-    if (at != c.columns.end()) out[j] = c.weights[static_cast<std::size_t>(at - c.columns.begin())];
+    const auto at = std::find(c.recording.columns.begin(), c.recording.columns.end(), columns[j]);
+    if (at != c.recording.columns.end()) out[j] = c.ranking.weights[static_cast<std::size_t>(at - c.recording.columns.begin())];
   }
   return out;
 }
@@ -86,8 +86,8 @@ MeanOverRecordings mean_over_recordings(std::span<const double> values, double a
   if (moments.count == 0) return {};
   MeanOverRecordings out{moments.mean};
   if (moments.count < 2) return out;
-  const auto n = static_cast<double>(moments.count);
-  const double t = boost::math::quantile(boost::math::students_t(n - 1), 1 - alpha / 2), half = t * std::sqrt(moments.m2 / (n - 1) / n);
+  const boost::math::students_t student(static_cast<double>(moments.count - 1));
+  const double half = boost::math::quantile(student, 1 - alpha / 2) * moments.standard_error();
   out.lower = out.mean - half;
   out.upper = out.mean + half;
   return out;
@@ -98,11 +98,11 @@ Across across(std::span<const Comparison> comparisons) {
   if (comparisons.empty()) return out;
   out.columns = all_columns(comparisons);
   for (const Comparison& c : comparisons) {
-    out.recordings.push_back(c.data.path);
+    out.recordings.push_back(c.recording.data.path);
     out.weights.push_back(weights_of(c, out.columns));
   }
   summarise_weights(out);
-  for (const std::string& name : comparisons.front().named) out.models.push_back(model_across(comparisons, name));
+  for (const std::string& name : comparisons.front().run.named) out.models.push_back(model_across(comparisons, name));
   std::stable_sort(out.models.begin(), out.models.end(), [](const ModelAcross& a, const ModelAcross& b) {
     const auto last = [](double x) { return std::isfinite(x) ? x : INFINITY; };
     if (last(a.mean_rank) != last(b.mean_rank)) return last(a.mean_rank) < last(b.mean_rank);

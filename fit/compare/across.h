@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 

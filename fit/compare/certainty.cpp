@@ -104,10 +104,10 @@ Energies seen(Energies raw, const std::vector<Energies>& own, double worst) {
 }
 
 // missed: by how much a search misses the best parameters of each of its own recordings.
-double goodness(const FitResult& fit, const std::vector<Energies>& own, const std::vector<double>& missed, const Weighting& weighting,
+double goodness(const Scored& fit, const std::vector<Energies>& own, const std::vector<double>& missed, const Weighting& weighting,
                 double worst) {
   if (own.empty()) return NAN;
-  const double observed = cost_of(seen(fit.raw_energies, own, worst), weighting);
+  const double observed = cost_of(seen(fit.raw, own, worst), weighting);
   if (!std::isfinite(observed)) return NAN;
   std::ptrdiff_t beyond = 0;
   for (std::size_t k = 0; k < own.size(); ++k) beyond += cost_of(own[k], weighting) + missed[k] >= observed;
@@ -154,8 +154,7 @@ std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& sel
   return variance;
 }
 
-ScoreDraws score_draws(const std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting,
-                       int pooled) {
+ScoreDraws score_draws(const std::vector<Scored>& models, const Laws& laws, const Target& target, const Weighting& weighting, int pooled) {
   const Law& recordings = laws.recordings;
   const auto rows = static_cast<Eigen::Index>(recordings.size()), columns = static_cast<Eigen::Index>(models.size());
   ScoreDraws out{Eigen::VectorXd(columns), Eigen::MatrixXd::Constant(rows, columns, NAN)};
@@ -191,14 +190,16 @@ Band band_of(const Law& law, const Target& target) {
   return out;
 }
 
-void fill_certainty(std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting, int pooled) {
-  for (FitResult& fit : models) fit.certainty.own = Energies(target.columns().size(), NAN);
-  if (!long_enough(laws.of, pooled)) return;
+std::vector<Certainty> certainties(const std::vector<Scored>& models, const Laws& laws, const Target& target, const Weighting& weighting,
+                                   int pooled) {
+  std::vector<Certainty> out(models.size());
+  for (Certainty& c : out) c.own = Energies(target.columns().size(), NAN);
+  if (!long_enough(laws.of, pooled)) return out;
   const ScoreDraws all = score_draws(models, laws, target, weighting, pooled);
   const auto p = confidence_set_p(all);
   const auto groups = confidence_groups(all, kAlpha);
   for (std::size_t m = 0; m < models.size(); ++m) {
-    Certainty& c = models[m].certainty;
+    Certainty& c = out[m];
     const auto own = own_energies(laws.of[m], target, pooled);
     c.own = mean(own, target.columns().size());
     std::vector<double> missed;
@@ -211,6 +212,7 @@ void fill_certainty(std::vector<FitResult>& models, const Laws& laws, const Targ
     std::tie(c.lower, c.upper) = interval(all.scores(column), all.draws.col(column));
     std::tie(c.lead_lower, c.lead_upper) = interval(all.scores(0) - all.scores(column), all.draws.col(0) - all.draws.col(column));
   }
+  return out;
 }
 
 }  // namespace swarmfit

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fit/experiment/objective.h"
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "libeval/confidence_set.h"
 #include "libeval/score.h"
 
@@ -19,6 +19,12 @@ Law law_of(const Objective& objective, const std::vector<double>& parameters, co
 // no search was repeated. selections: per model and pass, raw energies.
 std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& selections, const Weighting& weighting);
 
+// A model's score, and the raw energies behind it.
+struct Scored {
+  double score = NAN;
+  Energies raw{};
+};
+
 // What scores are drawn from; models in the same order throughout.
 struct Laws {
   Law recordings;  // that are scored: those of the best model
@@ -30,13 +36,12 @@ struct Laws {
 // Scores of all models, and those they get on each of the recordings: every model is represented by `pooled` other runs of its law, and has
 // missed its best parameters by a normal error of its scatter. So the draws scatter as the recording, the simulations and the searches do.
 // NaN where the recording or a score is undefined.
-ScoreDraws score_draws(const std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting,
-                       int pooled);
+ScoreDraws score_draws(const std::vector<Scored>& models, const Laws& laws, const Target& target, const Weighting& weighting, int pooled);
 
 // Where single recordings of a law lie, bin by bin; empty with fewer than 39, of which the outermost would be the ends.
 Band band_of(const Law& law, const Target& target);
 
-// Fills FitResult::certainty of models that are ranked. With fewer than `pooled` + 2 recordings per law, everything stays undefined.
+// How sure is each model? In order of rank. With fewer than `pooled` + 2 recordings per law, everything stays undefined.
 //
 // - goodness_p: of the recordings of its own law, the share that is as far from the model as the real one is, in the weighted energy; at
 //   least 1/(1 + recordings). The model was fitted to the real one, which lies nearer for that, but the search misses the best
@@ -46,6 +51,7 @@ Band band_of(const Law& law, const Target& target);
 // - group, set_p: by the model confidence set at 95 %.
 // - lower, upper, lead_lower, lead_upper: basic bootstrap intervals, an eighth wider since the law is fitted.
 // - own: mean over its own recordings.
-void fill_certainty(std::vector<FitResult>& models, const Laws& laws, const Target& target, const Weighting& weighting, int pooled);
+std::vector<Certainty> certainties(const std::vector<Scored>& models, const Laws& laws, const Target& target, const Weighting& weighting,
+                                   int pooled);
 
 }  // namespace swarmfit

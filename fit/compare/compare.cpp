@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "fit/compare/compare.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "fit/compare/certainty.h"
 #include "fit/compare/facts.h"
 #include "fit/compare/hold_out.h"
 #include "fit/compare/judge.h"
+#include "fit/compare/rank.h"
 #include "fit/compare/refute.h"
 #include "fit/compare/sensitivity.h"
 #include "fit/compare/skill_warnings.h"
+#include "fit/compare/without_one.h"
 #include "fit/experiment/film.h"
 #include "fit/model_fit/calibration.h"
-#include "fit/model_fit/fit_result.h"
+#include "fit/model_fit/model_fit_of.h"
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
 
@@ -65,25 +63,28 @@ class Calibration {
       searches_.emplace_back(m, options.models[m], conditions, target, options, history, runtime, view);
   }
 
-  // Par-Est, steps 1 to 5.
-  void run(Comparison& result) {
+  // Par-Est, steps 1 to 5. What the models are ranked by.
+  Ranking run(const PerColumn<double>& resolution) {
+    Ranking out;
+    out.mean_weights = options_.mean_weights;
     Weighting searched = initial_weighting(used_, target_.worst());
     weighting_ = searched;
     const int passes = searches_.size() < 2 ? 1 : options_.budget.passes;
-    for (int pass = 1; pass <= passes; ++pass) {
+    for (int pass = 1; pass <= passes && !out.weights_converged; ++pass) {
       if (pass > 1) exchange();
       for (std::size_t m = 0; m < searches_.size(); ++m)
         searches_[m].pass(pass, searched, [&](std::int64_t simulations, double best) { tell(m, pass, passes, simulations, best); });
       if (searches_.size() < 2) break;
-      const Weighting next = entropy_weights(energy_table(searches_), used_, {result.resolution.begin(), result.resolution.end()});
-      result.weight_history.push_back(weight_step(pass, searched, next, weighting_));
+      const Weighting next = entropy_weights(energy_table(searches_), used_, {resolution.begin(), resolution.end()});
+      out.weight_history.push_back(weight_step(pass, searched, next, weighting_));
       weighting_ = next;
-      if (result.weight_history.back().largest_change < options_.weight_tolerance) {
-        result.weights_converged = true;
-        break;
-      }
+      out.weights_converged = out.weight_history.back().largest_change < options_.weight_tolerance;
       searched = options_.mean_weights ? mean_weighting(searched, weighting_, pass) : weighting_;
     }
+    out.weights = per_column(weighting_.weights);
+    out.p1 = per_column(weighting_.p1);
+    out.p2 = per_column(weighting_.p2);
+    return out;
   }
 
   const std::vector<ModelSearch>& searches() const { return searches_; }
@@ -110,26 +111,6 @@ class Calibration {
   Weighting weighting_;
 };
 
-template <class T>
-std::vector<T> in_order(std::vector<T> values, const std::vector<std::size_t>& order) {
-  std::vector<T> out;
-  for (const std::size_t k : order) out.push_back(std::move(values[k]));
-  return out;
-}
-
-// Models and their laws, best first.
-void rank(std::vector<FitResult>& models, Laws& laws) {
-  std::vector<std::size_t> order(models.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto score = [&](std::size_t k) { return std::isnan(models[k].score) ? -INFINITY : models[k].score; };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return score(a) > score(b); });
-  models = in_order(std::move(models), order);
-  laws.of = in_order(std::move(laws.of), order);
-  laws.scatter = in_order(std::move(laws.scatter), order);
-  laws.recordings = laws.of.front();
-  for (std::size_t k = 0; k < models.size(); ++k) models[k].rank = std::isfinite(models[k].score) ? static_cast<int>(k) + 1 : 0;
-}
-
 // What is seen of a final replicate beside its score; of the first one also its scales and the film.
 struct View {
   Judged judged;
@@ -138,19 +119,65 @@ struct View {
 };
 auto fields(View& v) { return std::tie(v.judged, v.scales, v.film); }
 
-void fill_views(FitResult& fit, const std::vector<std::string>& views, const Judge& judge, const Tracks& recording) {
+// What a model looks like, from what was seen of its final replicates.
+void add_likeness(ModelFit& fit, const std::vector<std::string>& views, const Judge& judge, const Tracks& recording) {
   std::vector<Judged> judged;
+  Scales scales;
   for (const std::string& bytes : views) {
     View view = from_bytes<View>(bytes);
     if (judged.empty()) {
       fit.film = film_of(std::move(view.film), recording);
-      fit.extent = view.scales.extent;
-      fit.spacing = view.scales.spacing;
-      fit.speed = view.scales.speed;
+      scales = view.scales;
     }
     judged.push_back(std::move(view.judged));
   }
-  judge.judge(fit, judged);
+  fit.likeness = judge.likeness(judged);
+  fit.likeness.extent = scales.extent;
+  fit.likeness.spacing = scales.spacing;
+  fit.likeness.speed = scales.speed;
+}
+
+RunRecord run_record(const CompareOptions& options) {
+  RunRecord out;
+  out.command = options.models.size() > 1 ? "compare" : "fit";
+  out.seed = options.seed;
+  out.protocol = options.protocol;
+  out.common = options.common;
+  out.budget = options.budget;
+  for (const ModelChoice& model : options.models) out.named.push_back(model.name);
+  return out;
+}
+
+std::vector<std::string> searched_names(const SearchSpace& space) {
+  std::vector<std::string> out;
+  for (const std::size_t row : space.searched()) out.emplace_back(space.model().spec->parameters[row].name);
+  return out;
+}
+
+// What a ranking says of its models, and of itself, once they are ranked.
+void add_standings(Comparison& result, const Laws& laws, const Target& target, const Weighting& weighting, int pooled) {
+  std::vector<ModelFit>& models = result.models;
+  std::vector<Energies> energies;
+  for (const ModelFit& fit : models) energies.push_back(fit.standing.energies);
+  const auto sure = certainties(scored(models), laws, target, weighting, pooled);
+  const auto sensitive = sensitivities(energies, result.ranking.weights);
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    models[k].standing.certainty = sure[k];
+    models[k].standing.sensitivity = sensitive[k];
+  }
+  Ranking& ranking = result.ranking;
+  ranking.lags = lag_facts(result.recording, ranking.weights);
+  ranking.laws = static_cast<int>(laws.recordings.size());
+  ranking.band = band_of(laws.recordings, target);
+  ranking.without = without_each(models, result.recording);
+  ranking.walk_suffices = walk_suffices(result.recording.skill, models);
+}
+
+// Columns of the score that are not mostly localisation error: on those the skill rests.
+PerColumn<bool> clear_columns(const ObservationFacts& o) {
+  PerColumn<bool> out = o.used;
+  for (std::size_t j = 0; j < out.size(); ++j) out[j] = out[j] && !o.drowned[j];
+  return out;
 }
 
 }  // namespace
@@ -163,49 +190,46 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   const Target target(recorded_samples(conditions.recording, conditions.metrics), options.binning);
 
   Comparison result;
-  result.observation = observation_facts(conditions, target, options);
-  result.resolution = resolution(conditions, target, options, result.observation.drowned);
-  const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
-  result.mean_weights = options.mean_weights;
-  PerColumn<bool> clear = result.observation.used;
-  for (std::size_t j = 0; j < clear.size(); ++j) clear[j] = clear[j] && !result.observation.drowned[j];
+  result.run = run_record(options);
+  result.recording = recording_facts(recording, conditions, target, options);
+  if (options.hold_out) result.recording.hold_out = facts_of(parts);
+  const ObservationFacts& observation = result.recording.observation;
   const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);
   result.film = cut(conditions.recording, span.first, span.last);
+
   std::optional<Judge> judge;
   const auto view = [&](const Run& run, std::size_t k) {
     return to_bytes(View{judge->look(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{}});
   };
-  Calibration calibration(options, conditions, target, used, result.history, on_progress, runtime, view);
-  judge.emplace(conditions, clear, options.seed, runtime);  // computes, so after whatever the searches refuse
-  calibration.run(result);
+  const std::vector<bool> used(observation.used.begin(), observation.used.end());
+  Calibration calibration(options, conditions, target, used, result.run.history, on_progress, runtime, view);
+  judge.emplace(conditions, clear_columns(observation), options.seed, runtime);  // computes, so after whatever the searches refuse
+  result.recording.skill = judge->skill();
+  result.recording.panel = judge->panel();
+  result.ranking = calibration.run(result.recording.resolution);
+  const Weighting& weighting = calibration.weighting();
 
   Laws laws{{}, {}, {}, {options.seed}};
   std::vector<std::vector<Energies>> selections;
   for (std::size_t m = 0; m < options.models.size(); ++m) {
-    const auto& search = calibration.searches()[m];
-    const auto values = search.space().parameters(search.selected().x);
-    result.models.push_back(fit_result(search, calibration.weighting()));
-    result.models.back().learns = options.models[m].spec->needs_reference;
-    fill_views(result.models.back(), search.selected().views, *judge, conditions.recording);
-    if (options.posterior) fill_posterior(result.models.back(), search, Rng{options.seed}.derive(Stream::posterior, m));
+    const ModelSearch& search = calibration.searches()[m];
+    ModelFit fit = model_fit_of(search);
+    fit.learns = options.models[m].spec->needs_reference;
+    fit.standing = standing_of(fit.runs, weighting);
+    add_likeness(fit, search.selected().views, *judge, conditions.recording);
+    if (options.posterior) fill_posterior(fit, search, Rng{options.seed}.derive(Stream::posterior, m));
+    laws.of.push_back(law_of(search.objective(), search.space().parameters(search.selected().x), {options.seed}, options.laws));
     selections.push_back(search.selections());
-    laws.of.push_back(law_of(search.objective(), values, {options.seed}, options.laws));
-    result.named.push_back(options.models[m].name);
-    result.searched.emplace_back();
-    for (const auto p : search.space().searched()) result.searched.back().emplace_back(options.models[m].spec->parameters[p].name);
+    result.run.searched.push_back(searched_names(search.space()));
+    result.models.push_back(std::move(fit));
   }
-  laws.scatter = search_scatter(selections, calibration.weighting());
+  laws.scatter = search_scatter(selections, weighting);
   rank(result.models, laws);
-  result.laws = options.laws;
-  result.band = band_of(laws.of.front(), target);
-  fill_certainty(result.models, laws, target, calibration.weighting(), options.budget.final_replicates);
-  if (options.hold_out) fill_held_out(result, parts, options, conditions, calibration.weighting(), runtime);
-  judge->tell(result);
-  result.weights = per_column(calibration.weighting().weights);
-  result.p1 = per_column(calibration.weighting().p1);
-  result.p2 = per_column(calibration.weighting().p2);
-  fill_sensitivity(result);
-  fill_facts(result, recording, conditions, target, options);
+  add_standings(result, laws, target, weighting, options.budget.final_replicates);
+  if (options.hold_out) {
+    const auto there = held_out(result.models, parts, options, conditions, weighting, runtime);
+    for (std::size_t k = 0; k < there.size(); ++k) result.models[k].standing.held_out = there[k];
+  }
   for (const auto& warnings : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result), warnings_of_learning(result)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   return result;

@@ -8,7 +8,7 @@
 
 #include "fit/experiment/ensemble.h"
 #include "fit/model_fit/search_plan.h"
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 
@@ -44,6 +44,6 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
 
 // Every row of the model's parameter table with the fitted values: what Objective and plant() take. Rows that the settings do not use are
 // 0.
-std::vector<double> parameter_values(const ModelChoice& model, const FitResult& fit);
+std::vector<double> parameter_values(const ModelChoice& model, const ModelFit& fit);
 
 }  // namespace swarmfit

@@ -29,10 +29,10 @@ void warn(std::vector<std::string>& out, fmt::format_string<Args...> text, Args&
 }
 
 void warn_of_data(const Comparison& r, std::vector<std::string>& out) {
-  if (r.data.individuals_per_frame < kFewIndividuals)
+  if (r.recording.data.individuals_per_frame < kFewIndividuals)
     warn(out, "Only {:.1f} individuals per frame: neighbour distances of so small a group say little about interaction.",
-         r.data.individuals_per_frame);
-  if (!r.observation.white && r.observation.error_source == "estimate")
+         r.recording.data.individuals_per_frame);
+  if (!r.recording.observation.white && r.recording.observation.error_source == "estimate")
     warn(
         out,
         "The localisation error cannot be told from the motion (it is not independent from frame to frame: the positions were smoothed, or "
@@ -41,32 +41,36 @@ void warn_of_data(const Comparison& r, std::vector<std::string>& out) {
 
 // Is the longest lag still too short?
 void warn_of_lags(const Comparison& r, std::vector<std::string>& out) {
-  const int lag = lags_of(r.columns).back();
+  const int lag = lags_of(r.recording.columns).back();
   std::vector<std::string> drowned;
-  for (std::size_t j = 0; j < r.columns.size(); ++j)
-    if (r.columns[j].motion() && r.columns[j].lag == lag && r.defined[j] && r.observation.drowned[j]) drowned.push_back(r.columns[j].key());
+  for (std::size_t j = 0; j < r.recording.columns.size(); ++j)
+    if (r.recording.columns[j].motion() && r.recording.columns[j].lag == lag && r.recording.defined[j] &&
+        r.recording.observation.drowned[j])
+      drowned.push_back(r.recording.columns[j].key());
   if (drowned.empty()) return;
-  const bool longer = lag < r.observation.longest_lag;
+  const bool longer = lag < r.recording.observation.longest_lag;
   warn(out, "{} {} mostly localisation error even at the longest lag ({}); {}.", fmt::join(drowned, ", "),
        drowned.size() > 1 ? "are" : "is", lag,
-       longer ? fmt::format("a longer one, up to {}, may show motion: --lags", r.observation.longest_lag)
+       longer ? fmt::format("a longer one, up to {}, may show motion: --lags", r.recording.observation.longest_lag)
               : "the tracks are too short for a longer one");
 }
 
 // Names the column that changes most.
-void warn_of_step(const FitResult& m, const Comparison& r, std::vector<std::string>& out) {
-  if (m.steps_settled) return;
-  const auto change = [&](std::size_t j) { return r.defined[j] ? std::abs(m.half_step_energies[j] - m.raw_energies[j]) : 0; };
+void warn_of_step(const ModelFit& m, const Comparison& r, std::vector<std::string>& out) {
+  if (m.runs.steps_settled) return;
+  const auto change = [&](std::size_t j) {
+    return r.recording.defined[j] ? std::abs(m.runs.half_step_energies[j] - m.runs.raw_energies[j]) : 0;
+  };
   std::size_t most = 0;
-  for (std::size_t j = 1; j < r.columns.size(); ++j)
+  for (std::size_t j = 1; j < r.recording.columns.size(); ++j)
     if (change(j) > change(most)) most = j;
   warn(out,
        "{}: integration has not converged with {} steps per frame. Halving the step changes its energy in {} from {:.3g} to {:.3g}, "
        "so its parameters and its rank belong to the step; --steps sets more.",
-       m.model, m.steps, r.columns[most].symbol(), m.raw_energies[most], m.half_step_energies[most]);
+       m.model, m.runs.steps, r.recording.columns[most].symbol(), m.runs.raw_energies[most], m.runs.half_step_energies[most]);
 }
 
-void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::string>& out) {
+void warn_of_fit(const ModelFit& m, const Comparison& r, std::vector<std::string>& out) {
   std::vector<std::string> bounds;
   for (const auto& p : m.parameters)
     if (p.at_bound) bounds.push_back(p.name);
@@ -75,22 +79,22 @@ void warn_of_fit(const FitResult& m, const Comparison& r, std::vector<std::strin
   for (const auto& p : m.parameters)
     if (!p.at_lower.empty()) warn(out, "{}: {} ended on its lower bound: {}.", m.model, p.name, p.at_lower);
   for (const std::size_t j : {kSpeed, kDistance})
-    if (const double ratio = m.mean_ratio[j]; std::isfinite(ratio) && (ratio > kScaleOff || ratio < 1 / kScaleOff))
-      warn(out, "{}: wrong in scale, its mean {} is {:.2g} times the recorded one, whatever its score.", m.model, r.columns[j].name(),
-           ratio);
-  if (m.failed_final > 0)
-    warn(out, "{}: {:.0f} % of the final simulations blew up and count with the worst energy.", m.model, 100 * m.failed_final);
-  if (m.infeasible_avoidance > kInfeasible)
-    warn(out, "{}: no collision-free velocity existed in {:.0f} % of all agent-steps.", m.model, 100 * m.infeasible_avoidance);
+    if (const double ratio = m.runs.mean_ratio[j]; std::isfinite(ratio) && (ratio > kScaleOff || ratio < 1 / kScaleOff))
+      warn(out, "{}: wrong in scale, its mean {} is {:.2g} times the recorded one, whatever its score.", m.model,
+           r.recording.columns[j].name(), ratio);
+  if (m.runs.failed_final > 0)
+    warn(out, "{}: {:.0f} % of the final simulations blew up and count with the worst energy.", m.model, 100 * m.runs.failed_final);
+  if (m.runs.infeasible_avoidance > kInfeasible)
+    warn(out, "{}: no collision-free velocity existed in {:.0f} % of all agent-steps.", m.model, 100 * m.runs.infeasible_avoidance);
   warn_of_step(m, r, out);
 }
 
 std::string_view without_settings(std::string_view model) { return model.substr(0, model.find('[')); }
 
 // Is `part` what `whole` is with a strength at zero? It then searches some of the same parameters, and of the rest one may be zero.
-bool is_part(const FitResult& part, const FitResult& whole) {
+bool is_part(const ModelFit& part, const ModelFit& whole) {
   if (without_settings(part.model) != without_settings(whole.model)) return false;
-  const auto searched = [](const FitResult& fit, const std::string& name) {
+  const auto searched = [](const ModelFit& fit, const std::string& name) {
     return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const auto& p) { return p.fitted && p.name == name; });
   };
   return std::all_of(part.parameters.begin(), part.parameters.end(), [&](const auto& p) { return !p.fitted || searched(whole, p.name); }) &&
@@ -98,15 +102,16 @@ bool is_part(const FitResult& part, const FitResult& whole) {
                      [&](const auto& p) { return p.fitted && p.lower == 0 && !searched(part, p.name); });
 }
 
-void warn_of_parts(const FitResult& whole, const Comparison& r, std::vector<std::string>& out) {
-  for (const FitResult& part : r.models)
-    if (is_part(part, whole) && part.score - whole.score > kStandardErrors * std::hypot(part.score_se, whole.score_se))
+void warn_of_parts(const ModelFit& whole, const Comparison& r, std::vector<std::string>& out) {
+  for (const ModelFit& part : r.models)
+    if (is_part(part, whole) &&
+        part.standing.score - whole.standing.score > kStandardErrors * std::hypot(part.standing.score_se, whole.standing.score_se))
       warn(out, "{} is worse than its own part {}, so its search was not finished; a larger --budget may move its rank.", whole.model,
            part.model);
 }
 
 // The search sees histograms, the posterior means and correlations besides: where they disagree, no parameters are right for both.
-void warn_of_posterior(const FitResult& fit, std::vector<std::string>& out) {
+void warn_of_posterior(const ModelFit& fit, std::vector<std::string>& out) {
   std::vector<std::string> apart;
   for (const ParameterResult& p : fit.parameters)
     if (p.value < p.posterior.lower || p.value > p.posterior.upper) apart.push_back(p.name);
@@ -184,11 +189,12 @@ DataFacts data_facts(const Tracks& recording, const Scales& scales) {
   return d;
 }
 
-void fill_axes(Comparison& r, const Target& target) {
+RecordingFacts measured_facts(const Target& target) {
+  RecordingFacts r;
   r.binning = target.binning();
-  r.recording = target.recording();
-  const std::size_t columns = target.columns().size();
+  r.distributions = target.recording();
   r.columns = target.columns();
+  const std::size_t columns = r.columns.size();
   r.defined = PerColumn<bool>(columns);
   r.axis_lower = r.axis_width = PerColumn<double>(columns);
   for (std::size_t j = 0; j < columns; ++j) {
@@ -196,17 +202,15 @@ void fill_axes(Comparison& r, const Target& target) {
     r.axis_lower[j] = target.axis(j).lower;
     r.axis_width[j] = target.axis(j).width;
   }
+  return r;
 }
 
-void fill_facts(Comparison& r, const Tracks& recording, const Conditions& c, const Target& target, const CompareOptions& options) {
-  r.command = options.models.size() > 1 ? "compare" : "fit";
-  r.seed = options.seed;
-  r.budget = options.budget;
-  r.protocol = options.protocol;
-  r.common = options.common;
+RecordingFacts recording_facts(const Tracks& recording, const Conditions& c, const Target& target, const CompareOptions& options) {
+  RecordingFacts r = measured_facts(target);
   r.data = data_facts(recording, c.scales);
-  fill_axes(r, target);
-  r.lags = lag_facts(r);
+  r.observation = observation_facts(c, target, options);
+  r.resolution = resolution(c, target, options, r.observation.drowned);
+  return r;
 }
 
 std::vector<int> lags_for(const Conditions& c, const CompareOptions& options) {
@@ -216,7 +220,7 @@ std::vector<int> lags_for(const Conditions& c, const CompareOptions& options) {
   return choose_lags(c.recording, measurement_error(c), options.error_limit, options.seed);
 }
 
-std::vector<LagFacts> lag_facts(const Comparison& r) {
+std::vector<LagFacts> lag_facts(const RecordingFacts& r, const PerColumn<double>& weights) {
   std::vector<LagFacts> out;
   for (const int lag : lags_of(r.columns)) out.push_back({lag, 0, 0, NAN});
   out.push_back({0, 0, 0, NAN});
@@ -226,31 +230,32 @@ std::vector<LagFacts> lag_facts(const Comparison& r) {
     of.error_share = std::fmax(of.error_share, r.observation.error_share[j]);
     if (!r.observation.used[j]) continue;
     ++of.scored;
-    of.weight += r.weights[j];
+    of.weight += weights[j];
   }
   return out;
 }
 
 std::vector<std::string> warnings_for(const Comparison& r) {
   std::vector<std::string> out;
-  if (!r.common.empty())
+  if (!r.run.common.empty())
     warn(out, "{} were fitted with {} alone and kept for all models: with dynamics of their own the others might do better.",
-         fmt::join(r.common, ", "), r.named.front());
-  if (r.data.synthetic) warn(out, "This recording is synthetic: it was made by a simulator.");
+         fmt::join(r.run.common, ", "), r.run.named.front());
+  if (r.recording.data.synthetic) warn(out, "This recording is synthetic: it was made by a simulator.");
   warn_of_data(r, out);
   warn_of_lags(r, out);
   if (r.models.size() == 2)
     warn(out,
          "With two models the entropy weights only count which model is nearer in each metric; read the raw energies beside the score.");
   std::vector<std::string> alike;
-  for (std::size_t j = 0; j < r.columns.size(); ++j)
-    if (r.models.size() > 1 && r.weights[j] > 0 && r.resolution[j] > 0 && r.p2[j] <= r.resolution[j]) alike.push_back(r.columns[j].key());
+  for (std::size_t j = 0; j < r.recording.columns.size(); ++j)
+    if (r.models.size() > 1 && r.ranking.weights[j] > 0 && r.recording.resolution[j] > 0 && r.ranking.p2[j] <= r.recording.resolution[j])
+      alike.push_back(r.recording.columns[j].key());
   if (!alike.empty())
     warn(out, "In {} no two models differ by more than the recording's own scatter; such differences count for less.",
          fmt::join(alike, ", "));
-  if (r.models.size() > 1 && !r.weights_converged)
+  if (r.models.size() > 1 && !r.ranking.weights_converged)
     warn(out, "The weights had not settled after {} passes (last change {:.3f}); a larger --budget may move the scores.",
-         r.weight_history.size(), r.weight_history.back().largest_change);
+         r.ranking.weight_history.size(), r.ranking.weight_history.back().largest_change);
   for (const auto& model : r.models) {
     warn_of_fit(model, r, out);
     warn_of_parts(model, r, out);

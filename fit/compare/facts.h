@@ -22,15 +22,14 @@ std::vector<int> lags_for(const Conditions& conditions, const CompareOptions& op
 // What the recording is; not of one without rows.
 DataFacts data_facts(const Tracks& recording, const Scales& scales);
 
-// The recording's distributions and their axes.
-void fill_axes(Comparison& result, const Target& target);
+// The recording's distributions and their axes; nothing else is known yet.
+RecordingFacts measured_facts(const Target& target);
 
-// Data, settings and axes of the result.
-void fill_facts(Comparison& result, const Tracks& recording, const Conditions& conditions, const Target& target,
-                const CompareOptions& options);
+// All but skill, panel and hold-out. The recording is the whole one, whatever part of it is fitted.
+RecordingFacts recording_facts(const Tracks& recording, const Conditions& conditions, const Target& target, const CompareOptions& options);
 
-// What each lag contributes to a result that has its weights.
-std::vector<LagFacts> lag_facts(const Comparison& result);
+// What each lag contributes to the score under these weights.
+std::vector<LagFacts> lag_facts(const RecordingFacts& recording, const PerColumn<double>& weights);
 
 // One sentence each, in order of weight, from a finished result.
 std::vector<std::string> warnings_for(const Comparison& result);

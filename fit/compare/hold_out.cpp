@@ -44,35 +44,39 @@ Halves halves(const Tracks& recording) {
   return {cut(recording, first, first + half), cut(recording, first + frames - half, first + frames)};
 }
 
-void fill_held_out(Comparison& result, const Halves& halves, const CompareOptions& options, const Conditions& fitted,
-                   const Weighting& weighting, const Runtime& runtime) {
-  std::vector<FitResult>& models = result.models;
-  result.hold_out = {true, halves.fitted.frames().front().number, halves.fitted.frames().back().number,
-                     halves.held_out.frames().front().number, halves.held_out.frames().back().number};
+HoldOutFacts facts_of(const Halves& halves) {
+  const auto first = [](const Tracks& half) { return half.frames().front().number; };
+  const auto last = [](const Tracks& half) { return half.frames().back().number; };
+  return {true, first(halves.fitted), last(halves.fitted), first(halves.held_out), last(halves.held_out)};
+}
+
+std::vector<HeldOut> held_out(const std::vector<ModelFit>& models, const Halves& halves, const CompareOptions& options,
+                              const Conditions& fitted, const Weighting& weighting, const Runtime& runtime) {
   const Conditions conditions = held_out_conditions(halves.held_out, fitted);
   const Target target(recorded_samples(conditions.recording, conditions.metrics), options.binning);
   const auto seeds = replicate_seeds({options.seed}, Stream::final_seeds, options.budget.final_replicates);
-  std::vector<FitResult> there(models.size());
   const std::int64_t frames = path_frames(halves);
   const double recorded = distance_to_nearest(conditions.recording, fitted.recording, frames);
   std::vector<Nearness> nearness;
+  std::vector<Scored> there;
   Laws laws{{}, {}, std::vector<double>(models.size(), 0), {options.seed}};
-  for (std::size_t m = 0; m < models.size(); ++m) {
-    const ModelChoice& model = choice_of(options, models[m].model);
+  for (const ModelFit& fit : models) {
+    const ModelChoice& model = choice_of(options, fit.model);
     Objective objective(model, conditions, target, runtime);
-    objective.use_steps(models[m].steps);
-    const auto values = parameter_values(model, models[m]);
-    there[m].raw_energies = objective.energies(values, seeds).raw;
-    there[m].score = -cost_of(there[m].raw_energies, weighting);
+    objective.use_steps(fit.runs.steps);
+    const auto values = parameter_values(model, fit);
+    const Energies raw = objective.energies(values, seeds).raw;
+    there.push_back({-cost_of(raw, weighting), raw});
     laws.of.push_back(law_of(objective, values, {options.seed}, options.laws));
     Ensemble ensemble(model, conditions, runtime);
-    ensemble.use_steps(models[m].steps);
+    ensemble.use_steps(fit.runs.steps);
     nearness.push_back({distance_to_nearest(ensemble.run({values, seeds.front()}).seen, fitted.recording, frames), recorded, frames});
   }
   laws.recordings = laws.of.front();
-  fill_certainty(there, laws, target, weighting, options.budget.final_replicates);
-  for (std::size_t m = 0; m < models.size(); ++m)
-    models[m].held_out = {there[m].score, there[m].raw_energies, there[m].certainty, nearness[m]};
+  const auto certainty = certainties(there, laws, target, weighting, options.budget.final_replicates);
+  std::vector<HeldOut> out;
+  for (std::size_t m = 0; m < models.size(); ++m) out.push_back({there[m].score, there[m].raw, certainty[m], nearness[m]});
+  return out;
 }
 
 }  // namespace swarmfit

@@ -16,9 +16,11 @@ struct Halves {
 // Throws InputError if the recording has fewer than 64 frames besides what is left out.
 Halves halves(const Tracks& recording);
 
-// Scores the ranked models of a comparison of the first half on the second, under held_out_conditions(): FitResult::held_out. `fitted` and
-// the weighting are those of the comparison.
-void fill_held_out(Comparison& result, const Halves& halves, const CompareOptions& options, const Conditions& fitted,
-                   const Weighting& weighting, const Runtime& runtime = {});
+HoldOutFacts facts_of(const Halves& halves);
+
+// Scores models that are fitted to the first half, and ranked there, on the second, under held_out_conditions(). `fitted` and the weighting
+// are those of the comparison.
+std::vector<HeldOut> held_out(const std::vector<ModelFit>& models, const Halves& halves, const CompareOptions& options,
+                              const Conditions& fitted, const Weighting& weighting, const Runtime& runtime = {});
 
 }  // namespace swarmfit

@@ -10,7 +10,6 @@
 #include "fit/experiment/outcome.h"
 #include "fit/store/kept.h"
 #include "libeval/distance.h"
-#include "libeval/leave_one_out.h"
 #include "libeval/surrogate.h"
 
 namespace swarmfit {
@@ -23,8 +22,7 @@ constexpr double kStandardErrors = 2;
 Estimate estimate(const std::vector<double>& values) {
   Moments m;
   for (const double v : values) m.add(v);
-  const auto n = static_cast<double>(m.count);
-  return {m.count > 0 ? m.mean : NAN, m.count > 1 ? std::sqrt(m.m2 / (n - 1) / n) : NAN};
+  return {m.count > 0 ? m.mean : NAN, m.standard_error()};
 }
 
 std::vector<Estimate> estimates(const std::vector<double>& value, const std::vector<double>& se) {
@@ -48,19 +46,6 @@ std::vector<Estimate> over_replicates(const std::vector<Panel>& panels, std::vec
     out.push_back(estimate(column));
   }
   return out;
-}
-
-// Has no model with a skill more of it than the random walk?
-bool suffices(const Estimate& walker, const std::vector<FitResult>& models) {
-  if (!std::isfinite(walker.value)) return false;
-  bool any = false;
-  for (const FitResult& m : models) {
-    if (!std::isfinite(m.skill.value)) continue;
-    any = true;
-    const double se = std::isfinite(m.skill.se) ? m.skill.se : 0;
-    if (m.skill.value - walker.value > kStandardErrors * std::hypot(se, walker.se)) return false;
-  }
-  return any;
 }
 
 struct Surrogate {
@@ -180,11 +165,12 @@ Judged Judge::look(const Run& run) const {
     if (std::isnan(out.distance[j]) && !std::isnan(distance_.floor()[j])) out.distance[j] = 1;
     out.wasserstein[j] = wasserstein(real[j], pooled[j], distance_.bin_width());
   }
-  if (!run.blew_up) out.panel = panel(run.seen, plan_);
+  if (!run.blew_up) out.panel = swarmfit::panel(run.seen, plan_);
   return out;
 }
 
-void Judge::judge(FitResult& fit, std::span<const Judged> runs) const {
+Likeness Judge::likeness(std::span<const Judged> runs) const {
+  Likeness out;
   const std::size_t columns = distance_.columns().size();
   std::vector<double> means;
   std::vector<Panel> panels;
@@ -193,44 +179,41 @@ void Judge::judge(FitResult& fit, std::span<const Judged> runs) const {
     if (!run.panel.values.empty()) panels.push_back(run.panel);
   }
   const Estimate d = estimate(means);
-  fit.skill = {scale_.skill(d.value), scale_.slope() * d.se};
-  fit.total_variation = fit.wasserstein = PerColumn<double>(columns);
+  out.skill = {scale_.skill(d.value), scale_.slope() * d.se};
+  out.total_variation = out.wasserstein = PerColumn<double>(columns);
   for (std::size_t j = 0; j < columns; ++j) {
     std::vector<double> distances, shifts;
     for (const Judged& run : runs) distances.push_back(run.distance[j]), shifts.push_back(run.wasserstein[j]);
-    fit.total_variation[j] = estimate(distances).value;
-    fit.wasserstein[j] = estimate(shifts).value;
+    out.total_variation[j] = estimate(distances).value;
+    out.wasserstein[j] = estimate(shifts).value;
   }
-  fit.panel = over_replicates(panels, &Panel::values);
-  fit.vacf = over_replicates(panels, &Panel::vacf);
-  fit.panel.resize(plan_.items().size());
-  fit.vacf.resize(plan_.vacf_lags.size());
-  fit.refuted_by = refutations(plan_, panel_, panels);
+  out.panel = over_replicates(panels, &Panel::values);
+  out.vacf = over_replicates(panels, &Panel::vacf);
+  out.panel.resize(plan_.items().size());
+  out.vacf.resize(plan_.vacf_lags.size());
+  out.refuted_by = refutations(plan_, panel_, panels);
+  return out;
 }
 
-void Judge::tell(Comparison& result) const {
-  result.skill = facts_;
-  result.skill.walk_suffices = suffices(facts_.walker, result.models);
+PanelFacts Judge::panel() const {
   const auto& [value, se] = panel_;
-  result.panel = {plan_.items(), estimates(value.values, se.values), {}, estimates(value.vacf, se.vacf)};
-  for (const Index lag : plan_.vacf_lags) result.panel.lags.push_back(static_cast<double>(lag) * plan_.dt);
+  PanelFacts out{plan_.items(), estimates(value.values, se.values), {}, estimates(value.vacf, se.vacf)};
+  for (const Index lag : plan_.vacf_lags) out.lags.push_back(static_cast<double>(lag) * plan_.dt);
+  return out;
+}
 
-  const auto& models = result.models;
-  const auto& scored = result.observation.used;
-  Eigen::MatrixXd table(static_cast<Index>(models.size()), static_cast<Index>(scored.size()));
-  for (std::size_t m = 0; m < models.size(); ++m)
-    for (std::size_t j = 0; j < scored.size(); ++j) table(static_cast<Index>(m), static_cast<Index>(j)) = models[m].raw_energies[j];
-  for (const WithoutOne& w : leave_one_out(table, {scored.begin(), scored.end()}, {result.resolution.begin(), result.resolution.end()})) {
-    LeftOut out;
-    out.model = models[static_cast<std::size_t>(w.dropped)].model;
-    out.weights.assign(w.weighting.weights.begin(), w.weighting.weights.end());
-    for (const Index row : w.order)
-      out.ranking.emplace_back(models[static_cast<std::size_t>(row)].model, w.scores[static_cast<std::size_t>(row)]);
-    // Rows stand in order of rank.
-    out.reordered = !std::is_sorted(w.order.begin(), w.order.end());
-    out.winner_changed = w.dropped != 0 && w.order.front() != 0;
-    result.without.push_back(std::move(out));
+bool walk_suffices(const SkillFacts& facts, const std::vector<ModelFit>& models) {
+  const Estimate& walker = facts.walker;
+  if (!std::isfinite(walker.value)) return false;
+  bool any = false;
+  for (const ModelFit& m : models) {
+    const Estimate& skill = m.likeness.skill;
+    if (!std::isfinite(skill.value)) continue;
+    any = true;
+    const double se = std::isfinite(skill.se) ? skill.se : 0;
+    if (skill.value - walker.value > kStandardErrors * std::hypot(se, walker.se)) return false;
   }
+  return any;
 }
 
 }  // namespace swarmfit

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fit/experiment/ensemble.h"
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "libeval/skill.h"
 
 namespace swarmfit {
@@ -31,11 +31,11 @@ class Judge {
   // One run as the judge sees it: disjoint, and without a panel, if it blew up. From any thread.
   Judged look(const Run& run) const;
 
-  // Fills skill, total_variation, wasserstein, panel, vacf and refuted_by from the runs of one model.
-  void judge(FitResult& fit, std::span<const Judged> runs) const;
+  // How a model looks, from its runs; the scales of the group are not known here.
+  Likeness likeness(std::span<const Judged> runs) const;
 
-  // Fills skill, without and panel of a comparison whose models are judged and ranked.
-  void tell(Comparison& result) const;
+  const SkillFacts& skill() const { return facts_; }
+  PanelFacts panel() const;
 
  private:
   struct Nulls;
@@ -50,5 +50,8 @@ class Judge {
   SkillFacts facts_;
   SkillScale scale_;
 };
+
+// Has no model with a skill more of it than the random walk?
+bool walk_suffices(const SkillFacts& facts, const std::vector<ModelFit>& models);
 
 }  // namespace swarmfit

@@ -18,10 +18,24 @@ void require_somebody(const Tracks& tracks) {
 }
 
 // Nothing is left out, nothing is known to be drowned.
-void fill_observation(Comparison& c) {
-  c.observation.used = c.defined;
-  c.observation.drowned = PerColumn<bool>(c.columns.size());
-  c.observation.why_not = PerColumn<std::string>(c.columns.size());
+ObservationFacts plain_observation(const RecordingFacts& r) {
+  ObservationFacts out;
+  out.used = r.defined;
+  out.drowned = PerColumn<bool>(r.columns.size());
+  out.why_not = PerColumn<std::string>(r.columns.size());
+  return out;
+}
+
+RecordingFacts facts_of(const Evaluation& e) {
+  RecordingFacts r;
+  r.binning = e.binning;
+  r.columns = e.columns;
+  r.distributions = e.real_distribution;
+  r.axis_lower = e.axis_lower;
+  r.axis_width = e.axis_width;
+  r.defined = PerColumn<bool>(e.columns.size());
+  for (std::size_t m = 0; m < e.columns.size(); ++m) r.defined[m] = std::isfinite(e.raw_energies[m]);
+  return r;
 }
 
 // The same tracks so many frames later.
@@ -32,12 +46,12 @@ Tracks later(const Tracks& tracks, std::int64_t frames) {
   return {std::move(c), tracks.meta()};
 }
 
-FitResult as_model(const Evaluation& e) {
-  FitResult r;
+ModelFit as_model(const Evaluation& e) {
+  ModelFit r;
   r.model = "simulation";
-  r.raw_energies = e.raw_energies;
-  r.distributions = e.simulated_distribution;
-  r.raw_se = PerColumn<double>(e.columns.size());
+  r.runs.raw_energies = e.raw_energies;
+  r.runs.distributions = e.simulated_distribution;
+  r.runs.raw_se = PerColumn<double>(e.columns.size());
   return r;
 }
 
@@ -46,10 +60,9 @@ FitResult as_model(const Evaluation& e) {
 Comparison portrait(const Tracks& tracks) {
   require_somebody(tracks);
   Comparison c;
-  const Target target(metric_samples(tracks), Binning{});
-  c.data = data_facts(tracks, natural_scales(tracks));
-  fill_axes(c, target);
-  fill_observation(c);
+  c.recording = measured_facts(Target(metric_samples(tracks), Binning{}));
+  c.recording.data = data_facts(tracks, natural_scales(tracks));
+  c.recording.observation = plain_observation(c.recording);
   const FilmSpan span = film_span(tracks, 1);
   c.film = cut(tracks, span.first, span.last);
   return c;
@@ -59,19 +72,13 @@ PairPortrait portrait(const Tracks& real, const Tracks& simulated, const Evaluat
   require_somebody(real);
   require_somebody(simulated);
   PairPortrait out;
-  Comparison& c = out.comparison;
-  c.command = "evaluate";
-  c.data = data_facts(real, natural_scales(real));
   out.simulation = data_facts(simulated, natural_scales(simulated));
-  c.binning = e.binning;
-  c.columns = e.columns;
-  c.recording = e.real_distribution;
-  c.axis_lower = e.axis_lower;
-  c.axis_width = e.axis_width;
-  c.weights = PerColumn<double>(e.columns.size());
-  c.defined = PerColumn<bool>(e.columns.size());
-  for (std::size_t m = 0; m < e.columns.size(); ++m) c.defined[m] = std::isfinite(e.raw_energies[m]);
-  fill_observation(c);
+  Comparison& c = out.comparison;
+  c.run.command = "evaluate";
+  c.recording = facts_of(e);
+  c.recording.data = data_facts(real, natural_scales(real));
+  c.recording.observation = plain_observation(c.recording);
+  c.ranking.weights = PerColumn<double>(e.columns.size());
   c.models = {as_model(e)};
   const FilmSpan of_real = film_span(real, 2), of_simulated = film_span(simulated, 2);
   const std::int64_t frames = std::min(of_real.last - of_real.first, of_simulated.last - of_simulated.first);

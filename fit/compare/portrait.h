@@ -2,7 +2,7 @@
 // A recording or a simulation by itself, as the pages that show it take it.
 #pragma once
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "libeval/evaluation.h"
 
 namespace swarmfit {

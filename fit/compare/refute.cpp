@@ -75,11 +75,11 @@ std::string duration(double value, double error, double longest) {
 
 std::string sentence(const Refutation& f, const Comparison& r) {
   if (f.item.key == "vacf_zero") {
-    const double longest = r.panel.lags.empty() ? NAN : r.panel.lags.back();
+    const double longest = r.recording.panel.lags.empty() ? NAN : r.recording.panel.lags.back();
     return fmt::format("its velocities keep their direction {} (first zero of the autocorrelation), the recording's {}",
                        duration(f.model, f.sd, longest), duration(f.recording.value, f.recording.se, longest));
   }
-  const std::string unit = unit_of(f.item, r.data.unit);
+  const std::string unit = unit_of(f.item, r.recording.data.unit);
   return fmt::format("its {} is {}, the recording's {}", f.item.name, plus_minus(f.model, f.sd, unit),
                      plus_minus(f.recording.value, f.recording.se, unit));
 }
@@ -103,10 +103,10 @@ std::vector<Refutation> refutations(const PanelPlan& plan, const PanelEstimate& 
 
 std::vector<std::string> warnings_of_facts(const Comparison& r) {
   std::vector<std::string> out;
-  for (const FitResult& m : r.models) {
-    if ((m.rank != 1 && m.certainty.group != 1) || m.refuted_by.empty()) continue;
+  for (const ModelFit& m : r.models) {
+    if ((m.standing.rank != 1 && m.standing.certainty.group != 1) || m.likeness.refuted_by.empty()) continue;
     std::vector<std::string> facts;
-    for (const Refutation& f : m.refuted_by) facts.push_back(sentence(f, r));
+    for (const Refutation& f : m.likeness.refuted_by) facts.push_back(sentence(f, r));
     out.push_back(fmt::format(
         "{} as fitted is refuted by what anybody sees: {} (±: scatter of single simulations, and the recording's standard error).", m.model,
         fmt::join(facts, "; ")));

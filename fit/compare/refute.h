@@ -2,7 +2,7 @@
 // Is a fitted model refuted by what anybody sees, whatever the metrics say?
 #pragma once
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 

@@ -7,12 +7,12 @@
 namespace swarmfit {
 namespace {
 
-double score_with(const FitResult& fit, const PerColumn<double>& weights) {
+double score_with(const Energies& energies, const PerColumn<double>& weights) {
   double total = 0, loss = 0;
   for (std::size_t j = 0; j < weights.size(); ++j) {
     if (!(weights[j] > 0)) continue;
     total += weights[j];
-    loss += weights[j] * fit.energies[j];
+    loss += weights[j] * energies[j];
   }
   return total > 0 ? 1 - loss / total : NAN;
 }
@@ -25,22 +25,22 @@ int rank_of(double score, const std::vector<double>& all) {
 
 }  // namespace
 
-void fill_sensitivity(Comparison& c) {
-  const std::size_t columns = c.weights.size();
-  for (FitResult& fit : c.models) fit.sensitivity = {PerColumn<double>(columns), PerColumn<double>(columns), PerColumn<int>(columns)};
+std::vector<Sensitivity> sensitivities(const std::vector<Energies>& models, const PerColumn<double>& weights) {
+  const std::size_t columns = weights.size();
+  std::vector<Sensitivity> out(models.size(), {PerColumn<double>(columns), PerColumn<double>(columns), PerColumn<int>(columns)});
   for (std::size_t j = 0; j < columns; ++j) {
-    PerColumn<double> without = c.weights, doubled = c.weights;
+    PerColumn<double> without = weights, doubled = weights;
     without[j] = 0;
     doubled[j] *= 2;
     std::vector<double> scores;
-    for (const FitResult& fit : c.models) scores.push_back(c.weights[j] > 0 ? score_with(fit, without) : NAN);
-    for (std::size_t k = 0; k < c.models.size(); ++k) {
-      Sensitivity& s = c.models[k].sensitivity;
-      s.without[j] = scores[k];
-      s.doubled[j] = c.weights[j] > 0 ? score_with(c.models[k], doubled) : NAN;
-      s.rank_without[j] = rank_of(scores[k], scores);
+    for (const Energies& energies : models) scores.push_back(weights[j] > 0 ? score_with(energies, without) : NAN);
+    for (std::size_t k = 0; k < models.size(); ++k) {
+      out[k].without[j] = scores[k];
+      out[k].doubled[j] = weights[j] > 0 ? score_with(models[k], doubled) : NAN;
+      out[k].rank_without[j] = rank_of(scores[k], scores);
     }
   }
+  return out;
 }
 
 }  // namespace swarmfit

@@ -19,11 +19,11 @@ void warn(std::vector<std::string>& out, fmt::format_string<Args...> text, Args&
 }
 
 // Models by skill, those without one last.
-std::vector<const FitResult*> by_skill(const Comparison& r) {
-  std::vector<const FitResult*> order;
+std::vector<const ModelFit*> by_skill(const Comparison& r) {
+  std::vector<const ModelFit*> order;
   for (const auto& m : r.models) order.push_back(&m);
-  const auto value = [](const FitResult* m) { return std::isfinite(m->skill.value) ? m->skill.value : -INFINITY; };
-  std::stable_sort(order.begin(), order.end(), [&](const FitResult* a, const FitResult* b) { return value(a) > value(b); });
+  const auto value = [](const ModelFit* m) { return std::isfinite(m->likeness.skill.value) ? m->likeness.skill.value : -INFINITY; };
+  std::stable_sort(order.begin(), order.end(), [&](const ModelFit* a, const ModelFit* b) { return value(a) > value(b); });
   return order;
 }
 
@@ -31,16 +31,16 @@ bool no_interaction(const SkillFacts& s) { return s.interaction_p[0] > kAlpha &&
 
 // The random walk as an answer: what the recording shows at all.
 void warn_of_walk(const Comparison& r, std::vector<std::string>& out) {
-  const SkillFacts& s = r.skill;
+  const SkillFacts& s = r.recording.skill;
   if (s.memory_p > kAlpha)
     warn(
         out,
         "No detectable memory of direction: the recording is like random walks made of its own steps (p = {:.2f} among {}), so the ranking "
         "says little of how the animals steer.",
         s.memory_p, s.surrogates);
-  else if (s.walk_suffices)
+  else if (r.ranking.walk_suffices)
     warn(out, "No model is closer to the recording than a random walk made of its own steps (skill {:.2f}; {}, the best, {:.2f} ± {:.2f}).",
-         s.walker.value, by_skill(r).front()->model, by_skill(r).front()->skill.value, by_skill(r).front()->skill.se);
+         s.walker.value, by_skill(r).front()->model, by_skill(r).front()->likeness.skill.value, by_skill(r).front()->likeness.skill.se);
   if (s.null_of == SkillNull::places)
     warn(out,
          "A random walk made of the recording's own steps is as close to it as two halves of it are to each other, so skill is measured "
@@ -50,22 +50,24 @@ void warn_of_walk(const Comparison& r, std::vector<std::string>& out) {
 
 // Rejected, and yet as close as can be?
 void warn_of_rejected(const Comparison& r, std::vector<std::string>& out) {
-  const FitResult& first = r.models.front();
-  const SkillFacts& s = r.skill;
+  const ModelFit& first = r.models.front();
+  const SkillFacts& s = r.recording.skill;
   const double floor_error = s.mean_floor_sd / (s.mean_null - s.mean_floor);
-  if (!(first.certainty.goodness_p <= kAlpha) || !(first.skill.value >= 1 - std::hypot(kStandardErrors * first.skill.se, floor_error)))
+  if (!(first.standing.certainty.goodness_p <= kAlpha) ||
+      !(first.likeness.skill.value >= 1 - std::hypot(kStandardErrors * first.likeness.skill.se, floor_error)))
     return;
   warn(out,
        "{} is rejected although its skill is {:.2f}: metric by metric it is about as close as two halves of the recording are to each "
        "other, "
        "but all metrics of the whole recording together tell it apart (fit p {} {:.2f}). Trust fit p.",
-       first.model, first.skill.value, first.certainty.goodness_p * (1 + r.laws) < 1.5 ? "≤" : "=", first.certainty.goodness_p);
+       first.model, first.likeness.skill.value, first.standing.certainty.goodness_p * (1 + r.ranking.laws) < 1.5 ? "≤" : "=",
+       first.standing.certainty.goodness_p);
 }
 
 // A posterior takes its model for granted.
 void warn_of_identified(const Comparison& r, std::vector<std::string>& out) {
-  if (!no_interaction(r.skill)) return;
-  for (const FitResult& m : r.models) {
+  if (!no_interaction(r.recording.skill)) return;
+  for (const ModelFit& m : r.models) {
     std::vector<std::string_view> names;
     for (const ParameterResult& p : m.parameters)
       if (p.interaction && p.posterior.verdict == "identified") names.push_back(p.name);
@@ -82,7 +84,7 @@ std::vector<std::string> reversed_pairs(const Comparison& r) {
   std::vector<std::string> out;
   for (std::size_t a = 0; a < r.models.size(); ++a)
     for (std::size_t b = a + 1; b < r.models.size(); ++b) {
-      const Estimate &above = r.models[a].skill, &below = r.models[b].skill;
+      const Estimate &above = r.models[a].likeness.skill, &below = r.models[b].likeness.skill;
       if (below.value - above.value > kStandardErrors * std::hypot(above.se, below.se))
         out.push_back(fmt::format("{} before {}", r.models[b].model, r.models[a].model));
     }
@@ -93,7 +95,7 @@ void warn_of_order(const Comparison& r, std::vector<std::string>& out) {
   const auto pairs = reversed_pairs(r);
   if (pairs.empty()) return;
   std::vector<std::string> order;
-  for (const FitResult* m : by_skill(r)) order.push_back(fmt::format("{} ({:.2f})", m->model, m->skill.value));
+  for (const ModelFit* m : by_skill(r)) order.push_back(fmt::format("{} ({:.2f})", m->model, m->likeness.skill.value));
   warn(out,
        "Score and skill disagree: by skill the order is {}, which puts {}. A score depends on which models are compared, a skill does not.",
        fmt::join(order, ", "), fmt::join(pairs, " and "));
@@ -103,10 +105,10 @@ void warn_of_order(const Comparison& r, std::vector<std::string>& out) {
 void warn_of_basis(const Comparison& r, std::vector<std::string>& out) {
   bool more = false;
   std::vector<std::string> missing;
-  for (std::size_t j = 0; j < r.skill.used.size(); ++j) {
-    const bool expected = r.observation.used[j] && !r.observation.drowned[j];
-    more = more || (r.skill.used[j] && !expected);
-    if (!r.skill.used[j] && expected) missing.push_back(r.columns[j].key());
+  for (std::size_t j = 0; j < r.recording.skill.used.size(); ++j) {
+    const bool expected = r.recording.observation.used[j] && !r.recording.observation.drowned[j];
+    more = more || (r.recording.skill.used[j] && !expected);
+    if (!r.recording.skill.used[j] && expected) missing.push_back(r.recording.columns[j].key());
   }
   if (more)
     warn(out, "No metric that counts in full tells the recording from its surrogates, so the skill rests on all that are defined.");
@@ -118,10 +120,10 @@ void warn_of_basis(const Comparison& r, std::vector<std::string>& out) {
 
 std::vector<std::string> warnings_of_learning(const Comparison& r) {
   std::vector<std::string> out;
-  for (const FitResult& m : r.models) {
+  for (const ModelFit& m : r.models) {
     if (!m.learns) continue;
-    const Nearness& n = m.held_out.nearness;
-    if (!r.hold_out.used)
+    const Nearness& n = m.standing.held_out.nearness;
+    if (!r.recording.hold_out.used)
       warn(
           out,
           "{} takes its velocities from the recording that it is judged on, so its score and its place are no evidence; use --holdout, and "
@@ -140,24 +142,24 @@ std::vector<std::string> warnings_of_learning(const Comparison& r) {
 std::vector<std::string> warnings_of_skill(const Comparison& r) {
   std::vector<std::string> out;
   warn_of_walk(r, out);
-  if (no_interaction(r.skill))
+  if (no_interaction(r.recording.skill))
     warn(out,
          "No detectable interaction: distances and speed differences of neighbours are like those of the same tracks shifted in time "
          "against "
          "each other (p = {:.2f} and {:.2f} among {} surrogates), so the ranking says how single animals move.",
-         r.skill.interaction_p[0], r.skill.interaction_p[1], r.skill.surrogates);
+         r.recording.skill.interaction_p[0], r.recording.skill.interaction_p[1], r.recording.skill.surrogates);
   warn_of_identified(r, out);
-  if (!r.models.empty() && std::isnan(r.models.front().skill.value))
+  if (!r.models.empty() && std::isnan(r.models.front().likeness.skill.value))
     warn(out,
          "Skill is undefined: the recording is too short to be halved, or its halves are no closer to each other than to its own places in "
          "random order.");
-  if (!r.models.empty() && std::isfinite(r.models.front().skill.value)) {
+  if (!r.models.empty() && std::isfinite(r.models.front().likeness.skill.value)) {
     warn_of_basis(r, out);
     warn_of_rejected(r, out);
   }
   warn_of_order(r, out);
   std::vector<std::string> deciders;
-  for (const LeftOut& w : r.without)
+  for (const LeftOut& w : r.ranking.without)
     if (w.winner_changed) deciders.push_back(fmt::format("without {} it is {}", w.model, w.ranking.front().first));
   if (!deciders.empty()) warn(out, "Who wins by score depends on who is compared: {}.", fmt::join(deciders, ", "));
   return out;

@@ -2,7 +2,7 @@
 // What a reader must be told of the skill, and of what the recording shows at all.
 #pragma once
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 

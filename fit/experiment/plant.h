@@ -2,7 +2,7 @@
 // Synthetic recordings: a model with known parameters, filmed by a camera with known faults.
 #pragma once
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "libswarm/model.h"
 #include "libtrack/tracks.h"
 

@@ -6,7 +6,7 @@
 
 #include "fit/experiment/objective.h"
 #include "fit/model_fit/search_space.h"
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 

@@ -8,7 +8,7 @@
 #include "fit/experiment/conditions.h"
 #include "fit/experiment/executor.h"
 #include "fit/model_fit/search_space.h"
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fit/optimise/genetic.h"
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "libswarm/model.h"
 
 namespace swarmfit {

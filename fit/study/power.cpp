@@ -41,14 +41,14 @@ PowerPair pair_of(const Recovery& r, std::size_t planted, std::size_t rival) {
 
 // Constants as in the recording, whatever scales a planted one turns out to have.
 CompareOptions with_constants_of(const Comparison& fitted, CompareOptions options) {
-  for (const FitResult& fit : fitted.models)
+  for (const ModelFit& fit : fitted.models)
     for (const ParameterResult& p : fit.parameters)
       if (!p.fitted) options.requests.set.try_emplace(fmt::format("{}.{}", fit.model, p.name), p.value);
   return options;
 }
 
-const FitResult& result_of(const Comparison& c, const std::string& model) {
-  return *std::find_if(c.models.begin(), c.models.end(), [&](const FitResult& r) { return r.model == model; });
+const ModelFit& result_of(const Comparison& c, const std::string& model) {
+  return *std::find_if(c.models.begin(), c.models.end(), [&](const ModelFit& r) { return r.model == model; });
 }
 
 }  // namespace
@@ -78,12 +78,12 @@ Power power(const Tracks& recording, const PowerOptions& options, const OnPower&
   CompareOptions again = with_constants_of(fitted, options.compare);
   for (std::size_t m = 0; m < options.compare.models.size(); ++m) {
     const ModelChoice& model = options.compare.models[m];
-    const FitResult& fit = result_of(fitted, model.name);
+    const ModelFit& fit = result_of(fitted, model.name);
     Ensemble ensemble(model, conditions);
-    ensemble.use_steps(fit.steps);
+    ensemble.use_steps(fit.runs.steps);
     const auto parameters = parameter_values(model, fit);
     out.recovery.planted.push_back(model.name);
-    out.recovery.compared = fitted.named;
+    out.recovery.compared = fitted.run.named;
     out.recovery.parameters.push_back(parameters);
     out.recovery.confusion.emplace_back(options.compare.models.size(), 0);
     for (int k = 1; k <= options.seeds; ++k) {

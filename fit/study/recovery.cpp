@@ -21,13 +21,13 @@ constexpr int kFilmSteps = 10;  // per frame: animals do not move once per frame
 RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::uint64_t seed, std::vector<double> parameters,
                            const Comparison& result) {
   RecoveryCase out{planted, seed, std::move(parameters), {}, {}, {}, {}, {}, 0};
-  for (const FitResult& fit : result.models) {
+  for (const ModelFit& fit : result.models) {
     out.order.push_back(fit.model);
-    out.scores.push_back(fit.score);
-    out.score_se.push_back(fit.score_se);
-    out.group.push_back(fit.certainty.group);
-    out.goodness_p.push_back(fit.certainty.goodness_p);
-    if (fit.model == name) out.rank_of_planted = fit.rank;
+    out.scores.push_back(fit.standing.score);
+    out.score_se.push_back(fit.standing.score_se);
+    out.group.push_back(fit.standing.certainty.group);
+    out.goodness_p.push_back(fit.standing.certainty.goodness_p);
+    if (fit.model == name) out.rank_of_planted = fit.standing.rank;
   }
   return out;
 }

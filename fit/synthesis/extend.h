@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "fit/results/results.h"
+#include "fit/results/model_fit.h"
 #include "libswarm/model.h"
 
 namespace swarmfit {

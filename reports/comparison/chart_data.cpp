@@ -27,29 +27,30 @@ Json short_numbers(const Values& values) {
 }
 
 Json metric_data(const Comparison& c, std::size_t m) {
-  const Column& column = c.columns[m];
+  const Column& column = c.recording.columns[m];
   Json models = Json::array();
-  for (const FitResult& r : c.models) models.push_back(short_numbers(physical_density(r.distributions[m].histogram, c.axis_width[m])));
+  for (const ModelFit& r : c.models)
+    models.push_back(short_numbers(physical_density(r.runs.distributions[m].histogram, c.recording.axis_width[m])));
   const auto [lower, upper] = physical_band(c, m);
   return {{"key", column.key()},
           {"symbol", column.symbol()},
           {"name", column.name()},
-          {"unit", metric_unit(column.metric, c.data.unit)},
-          {"density_unit", density_unit(column.metric, c.data.unit)},
+          {"unit", metric_unit(column.metric, c.recording.data.unit)},
+          {"density_unit", density_unit(column.metric, c.recording.data.unit)},
           {"counts", counts(c, m)},
-          {"lower", c.axis_lower[m]},
-          {"width", c.axis_width[m]},
-          {"recording", short_numbers(physical_density(c.recording[m].histogram, c.axis_width[m]))},
+          {"lower", c.recording.axis_lower[m]},
+          {"width", c.recording.axis_width[m]},
+          {"recording", short_numbers(physical_density(c.recording.distributions[m].histogram, c.recording.axis_width[m]))},
           {"band", {short_numbers(lower), short_numbers(upper)}},
           {"models", std::move(models)}};
 }
 
-Json model_data(const FitResult& r) {
+Json model_data(const ModelFit& r) {
   Json convergence = Json::array();
-  for (const ConvergencePoint& p : r.convergence) convergence.push_back({p.pass, p.evaluations, short_number(p.best)});
+  for (const ConvergencePoint& p : r.search.convergence) convergence.push_back({p.pass, p.evaluations, short_number(p.best)});
   return {{"name", r.model},
-          {"energies", short_numbers(r.raw_energies)},
-          {"errors", short_numbers(r.raw_se)},
+          {"energies", short_numbers(r.runs.raw_energies)},
+          {"errors", short_numbers(r.runs.raw_se)},
           {"convergence", std::move(convergence)}};
 }
 
@@ -57,12 +58,12 @@ Json model_data(const FitResult& r) {
 
 std::string chart_data(const Comparison& c) {
   Json metrics = Json::array(), models = Json::array(), history = Json::array();
-  for (std::size_t m = 0; m < c.columns.size(); ++m) metrics.push_back(metric_data(c, m));
-  for (const FitResult& r : c.models) models.push_back(model_data(r));
-  for (const WeightStep& s : c.weight_history) history.push_back({{"pass", s.pass}, {"weights", short_numbers(s.weights)}});
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m) metrics.push_back(metric_data(c, m));
+  for (const ModelFit& r : c.models) models.push_back(model_data(r));
+  for (const WeightStep& s : c.ranking.weight_history) history.push_back({{"pass", s.pass}, {"weights", short_numbers(s.weights)}});
   const Json data = {{"metrics", std::move(metrics)},
                      {"models", std::move(models)},
-                     {"weights", short_numbers(c.weights)},
+                     {"weights", short_numbers(c.ranking.weights)},
                      {"history", std::move(history)}};
   return embedded(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 

@@ -44,14 +44,14 @@ std::string too_many(const Comparison& c) {
 
 // The bins that are drawn of a histogram: its end bins hold all that lies beyond them.
 std::pair<std::size_t, std::size_t> inner_bins(const Comparison& c, std::size_t bins) {
-  return c.binning.clip && bins > 2 ? std::pair(std::size_t{1}, bins - 1) : std::pair(std::size_t{0}, bins);
+  return c.recording.binning.clip && bins > 2 ? std::pair(std::size_t{1}, bins - 1) : std::pair(std::size_t{0}, bins);
 }
 
 Curve curve_of(const Comparison& c, std::size_t m, const std::vector<double>& q) {
   const auto [first, last] = inner_bins(c, q.size());
   Curve out;
   for (std::size_t bin = first; bin < last && bin < q.size(); ++bin)
-    out.push_back({c.axis_lower[m] + (static_cast<double>(bin) + 0.5) * c.axis_width[m], q[bin]});
+    out.push_back({c.recording.axis_lower[m] + (static_cast<double>(bin) + 0.5) * c.recording.axis_width[m], q[bin]});
   return out;
 }
 
@@ -73,7 +73,7 @@ void include_most(plot::Range& across, const Curve& curve, double share) {
 
 // Where somebody can be seen, and how high.
 void set_frame(const Comparison& c, Density& d) {
-  const double peak = peak_of(d.curves.front()), half = 0.5 * c.axis_width[d.column];
+  const double peak = peak_of(d.curves.front()), half = 0.5 * c.recording.axis_width[d.column];
   plot::Range across;
   double highest = peak;
   for (std::size_t k = 0; k < d.curves.size(); ++k) {
@@ -81,7 +81,7 @@ void set_frame(const Comparison& c, Density& d) {
     include_most(across, d.curves[k], k == 0 ? kRecorded : kSimulated);
   }
   if (across.empty()) across.include(d.curves.front().front().x), across.include(d.curves.front().back().x);
-  const bool signed_values = c.columns[d.column].metric == kAngularAcceleration;
+  const bool signed_values = c.recording.columns[d.column].metric == kAngularAcceleration;
   constexpr double kNear = 0.25;  // an axis that begins as near to 0 as this begins there
   d.left = across.lower - half;
   d.right = across.upper + half;
@@ -91,22 +91,22 @@ void set_frame(const Comparison& c, Density& d) {
 }
 
 Curve curve_of(const Comparison& c, std::size_t m, const Histogram& histogram) {
-  return curve_of(c, m, physical_density(histogram, c.axis_width[m]));
+  return curve_of(c, m, physical_density(histogram, c.recording.axis_width[m]));
 }
 
 Density density_at(const Comparison& c, std::size_t m) {
   Density d;
   d.column = m;
-  d.curves.push_back(curve_of(c, m, c.recording[m].histogram));
+  d.curves.push_back(curve_of(c, m, c.recording.distributions[m].histogram));
   if (!d.drawn()) return d;
   const auto [lower, upper] = physical_band(c, m);
   d.lower = curve_of(c, m, lower);
   d.upper = curve_of(c, m, upper);
   for (std::size_t k = 0; k < drawn_models(c); ++k) {
-    const FitResult& r = c.models[k];
-    d.curves.push_back(curve_of(c, m, r.distributions[m].histogram));
+    const ModelFit& r = c.models[k];
+    d.curves.push_back(curve_of(c, m, r.runs.distributions[m].histogram));
     if (d.curves.back().empty()) d.absent.push_back(r.model);
-    if (r.outside_fraction[m] > kMuch) d.beyond.push_back(fmt::format("{} ({})", r.model, percent(r.outside_fraction[m])));
+    if (r.runs.outside_fraction[m] > kMuch) d.beyond.push_back(fmt::format("{} ({})", r.model, percent(r.runs.outside_fraction[m])));
   }
   set_frame(c, d);
   for (std::size_t k = 0; k + 1 < d.curves.size(); ++k)
@@ -123,7 +123,7 @@ Curve within(const Density& d, const Curve& curve, double bin) {
 }
 
 void draw_curves(plot::Panel& panel, const Comparison& c, const Density& d) {
-  const double bin = c.axis_width[d.column];
+  const double bin = c.recording.axis_width[d.column];
   panel.area(within(d, d.curves.front(), bin));
   panel.band(within(d, d.lower, bin), within(d, d.upper, bin), 0);
   for (std::size_t k = d.curves.size() - 1; k > 0; --k)
@@ -131,18 +131,18 @@ void draw_curves(plot::Panel& panel, const Comparison& c, const Density& d) {
 }
 
 svg::Text density_title(const Comparison& c, const Density& d, const plot::Axis& y) {
-  return svg::plain("density") + plot::in_units(y, density_unit(c.columns[d.column].metric, c.data.unit));
+  return svg::plain("density") + plot::in_units(y, density_unit(c.recording.columns[d.column].metric, c.recording.data.unit));
 }
 
 svg::Text symbol_and_unit(const Comparison& c, const Density& d, const plot::Axis& x) {
-  const MetricInfo& info = c.columns[d.column].info();
-  return svg::italic(info.symbol) + plot::in_units(x, metric_unit(c.columns[d.column].metric, c.data.unit)) +
+  const MetricInfo& info = c.recording.columns[d.column].info();
+  return svg::italic(info.symbol) + plot::in_units(x, metric_unit(c.recording.columns[d.column].metric, c.recording.data.unit)) +
          svg::plain(counts(c, d.column) ? "" : ", not scored");
 }
 
 // What has no samples, in the figure itself.
 std::string absences(const Comparison& c, const Density& d) {
-  const std::string symbol = c.columns[d.column].symbol();
+  const std::string symbol = c.recording.columns[d.column].symbol();
   if (!d.drawn()) return fmt::format(" No samples of {} in the recording.", symbol);
   return d.absent.empty() ? std::string() : fmt::format(" No samples of {}: {}.", symbol, enumerate(d.absent));
 }
@@ -151,7 +151,7 @@ std::string absences(const Comparison& c, const Density& d) {
 std::string limits(const Comparison& c, const std::vector<Density>& all) {
   std::vector<std::string> cut, beyond;
   for (const Density& d : all) {
-    const std::string symbol = c.columns[d.column].symbol();
+    const std::string symbol = c.recording.columns[d.column].symbol();
     if (!d.cut.empty()) cut.push_back(fmt::format("{} ({})", symbol, enumerate(d.cut)));
     if (!d.beyond.empty()) beyond.push_back(fmt::format("{} of {}", symbol, enumerate(d.beyond)));
   }
@@ -162,7 +162,7 @@ std::string limits(const Comparison& c, const std::vector<Density>& all) {
 }
 
 std::string about_binning(const Comparison& c) {
-  if (c.binning.normalisation != Normalisation::separate) return {};
+  if (c.recording.binning.normalisation != Normalisation::separate) return {};
   return " Every set was standardised by its own mean and standard deviation; the models are drawn with the recording's.";
 }
 
@@ -191,7 +191,7 @@ void draw_small(svg::Sheet& sheet, const Comparison& c, const Density& d, const 
   panel.y_axis({});
   sheet.text({cell.left, cell.top + 10}, density_title(c, d, y));
   const double middle = box.left + box.width / 2, base = box.bottom() + 3.5 + 2 * svg::kTextSize + 2;
-  sheet.text({middle, base}, svg::plain(c.columns[d.column].info().name), svg::Anchor::middle);
+  sheet.text({middle, base}, svg::plain(c.recording.columns[d.column].info().name), svg::Anchor::middle);
   sheet.text({middle, base + 8}, symbol_and_unit(c, d, x), svg::Anchor::middle);
 }
 
@@ -211,7 +211,7 @@ void draw_legend(svg::Sheet& sheet, double left, double top, const std::vector<p
 
 Figure densities(const Comparison& c) {
   svg::Sheet sheet(svg::kTwoColumns);
-  const bool titled = c.columns.size() > kMetrics;
+  const bool titled = c.recording.columns.size() > kMetrics;
   const double left = titled ? kRowTitle : 2, across = (sheet.width() - left) / kAcross, down = kAbove + kPlotHeight + kBelow;
   std::string absent = too_many(c);
   std::vector<Density> all;
@@ -221,7 +221,7 @@ Figure densities(const Comparison& c) {
     const Density d = density_at(c, m);
     const std::size_t row = place / kAcross;
     const double top = static_cast<double>(row) * down;
-    if (place % kAcross == 0 && titled && c.columns[m].motion())
+    if (place % kAcross == 0 && titled && c.recording.columns[m].motion())
       sheet.turned_text({7, top + kAbove + kPlotHeight / 2}, svg::plain(lag_title(c, m)));
     absent += absences(c, d);
     all.push_back(d);
@@ -242,7 +242,7 @@ Figure densities(const Comparison& c) {
 }
 
 Figure density_of(const Comparison& c, std::size_t m) {
-  const Column& column = c.columns[m];
+  const Column& column = c.recording.columns[m];
   const std::string name = fmt::format("density_{}{}", column.info().key, column.lag == 1 ? "" : fmt::format("_lag{}", column.lag));
   const Density d = density_at(c, m);
   if (!d.drawn()) return {name, "", ""};

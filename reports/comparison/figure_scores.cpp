@@ -19,7 +19,7 @@ constexpr double kWiderFont = 1.1;
 
 double widest_name(const Comparison& c) {
   double widest = 0;
-  for (const FitResult& r : c.models) widest = std::max(widest, kWiderFont * svg::plain(r.model).width);
+  for (const ModelFit& r : c.models) widest = std::max(widest, kWiderFont * svg::plain(r.model).width);
   return widest;
 }
 
@@ -29,10 +29,11 @@ double widest_name(const Comparison& c) {
 plot::Axis score_axis(const Comparison& c, double room_for_labels) {
   plot::Range range;
   for (const double end : {0.0, 1.0}) range.include(end);
-  for (const FitResult& r : c.models) {
-    for (const double x : {r.score, r.certainty.lower, r.certainty.upper}) range.include(x);
-    if (c.hold_out.used)
-      for (const double x : {r.held_out.score, r.held_out.certainty.lower, r.held_out.certainty.upper}) range.include(x);
+  for (const ModelFit& r : c.models) {
+    for (const double x : {r.standing.score, r.standing.certainty.lower, r.standing.certainty.upper}) range.include(x);
+    if (c.recording.hold_out.used)
+      for (const double x : {r.standing.held_out.score, r.standing.held_out.certainty.lower, r.standing.held_out.certainty.upper})
+        range.include(x);
   }
   const double room = 0.03 * (range.upper - range.lower);
   return plot::linear(range.lower - room, range.upper + room, {5, room_for_labels, false});
@@ -45,35 +46,35 @@ void draw_score(plot::Panel& panel, double y, double score, const Certainty& cer
 
 // With a half held out, its score hollow beneath that of the fitted half.
 void draw_scores(plot::Panel& panel, double y, const Comparison& c, std::size_t k) {
-  const FitResult& r = c.models[k];
-  if (!c.hold_out.used) return draw_score(panel, y, r.score, r.certainty, k, plot::Fill::of_series);
-  draw_score(panel, y - 0.28, r.held_out.score, r.held_out.certainty, k, plot::Fill::none);
-  draw_score(panel, y + 0.1, r.score, r.certainty, k, plot::Fill::full);
+  const ModelFit& r = c.models[k];
+  if (!c.recording.hold_out.used) return draw_score(panel, y, r.standing.score, r.standing.certainty, k, plot::Fill::of_series);
+  draw_score(panel, y - 0.28, r.standing.held_out.score, r.standing.held_out.certainty, k, plot::Fill::none);
+  draw_score(panel, y + 0.1, r.standing.score, r.standing.certainty, k, plot::Fill::full);
 }
 
 struct ScoreColumns {
   double score, group, fit;  // right ends of the columns of text
 };
 
-void write_row(svg::Sheet& sheet, double y, const FitResult& r, const ScoreColumns& at) {
+void write_row(svg::Sheet& sheet, double y, const ModelFit& r, const ScoreColumns& at) {
   sheet.text({2, y}, svg::plain(r.model));
-  sheet.text({at.score, y}, svg::plain(in_print(fixed(r.score, 3))), Anchor::end);
+  sheet.text({at.score, y}, svg::plain(in_print(fixed(r.standing.score, 3))), Anchor::end);
   sheet.text({at.group, y}, svg::plain(group_letter(r)), Anchor::middle);
-  sheet.text({at.fit, y}, svg::plain(fixed(r.certainty.goodness_p, 2)), Anchor::end);
+  sheet.text({at.fit, y}, svg::plain(fixed(r.standing.certainty.goodness_p, 2)), Anchor::end);
 }
 
 std::string unscored(const Comparison& c) {
   std::vector<std::string> names;
-  for (const FitResult& r : c.models)
-    if (!std::isfinite(r.score)) names.push_back(r.model);
+  for (const ModelFit& r : c.models)
+    if (!std::isfinite(r.standing.score)) names.push_back(r.model);
   return names.empty() ? std::string() : fmt::format(" Without a score: {}.", enumerate(names));
 }
 
 std::string scores_caption(const Comparison& c) {
   std::string out = "Entropy-weighted scores of the models (higher is better)";
-  if (c.laws > 0) out += ", with intervals. " + what_ranks_mean(c);
-  if (c.laws == 0) out += '.';
-  if (c.hold_out.used) out += " Hollow: on the half of the recording that was held out.";
+  if (c.ranking.laws > 0) out += ", with intervals. " + what_ranks_mean(c);
+  if (c.ranking.laws == 0) out += '.';
+  if (c.recording.hold_out.used) out += " Hollow: on the half of the recording that was held out.";
   return out + unscored(c);
 }
 
@@ -105,20 +106,20 @@ Places places(const Comparison& c) {
 
 plot::Axis energy_axis(const Comparison& c) {
   plot::Range range;
-  for (const FitResult& r : c.models)
-    for (std::size_t m = 0; m < c.columns.size(); ++m)
-      for (const double e : {r.raw_energies[m], r.raw_energies[m] + r.raw_se[m]})
-        if (e > 0) range.include(std::min(e, worst_energy(c.binning)));
+  for (const ModelFit& r : c.models)
+    for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+      for (const double e : {r.runs.raw_energies[m], r.runs.raw_energies[m] + r.runs.raw_se[m]})
+        if (e > 0) range.include(std::min(e, worst_energy(c.recording.binning)));
   // A model without noise repeats its own recordings: energies of rounding.
   const double least = range.upper * kDeepest;
-  for (const FitResult& r : c.models)
-    for (const double e : r.certainty.own)
+  for (const ModelFit& r : c.models)
+    for (const double e : r.standing.certainty.own)
       if (e >= least) range.include(e);
   return plot::logarithmic(std::max(range.lower, least), range.upper);
 }
 
 bool any_left_out(const Comparison& c) {
-  for (std::size_t m = 0; m < c.columns.size(); ++m)
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
     if (!counts(c, m)) return true;
   return false;
 }
@@ -126,10 +127,10 @@ bool any_left_out(const Comparison& c) {
 // What a logarithmic axis cannot show.
 std::string not_drawn(const Comparison& c, double lowest) {
   std::string out;
-  for (const FitResult& r : c.models) {
+  for (const ModelFit& r : c.models) {
     std::vector<std::string> symbols;
-    for (std::size_t m = 0; m < c.columns.size(); ++m)
-      if (!(r.raw_energies[m] >= lowest)) symbols.push_back(c.columns[m].symbol());
+    for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+      if (!(r.runs.raw_energies[m] >= lowest)) symbols.push_back(c.recording.columns[m].symbol());
     if (!symbols.empty()) out += fmt::format(" Undefined or below the axis in {}: {}.", r.model, enumerate(symbols));
   }
   return out;
@@ -139,10 +140,10 @@ void draw_energies(plot::Panel& panel, const Comparison& c, const Places& at, do
   const double slot = 0.8 / static_cast<double>(c.models.size());
   for (std::size_t j = 0; j < at.order.size(); ++j)
     for (std::size_t k = 0; k < c.models.size(); ++k) {
-      const FitResult& r = c.models[k];
+      const ModelFit& r = c.models[k];
       const std::size_t m = at.order[j];
       const double x = at.x[j] + slot * (static_cast<double>(k) - 0.5 * static_cast<double>(c.models.size() - 1));
-      const double e = r.raw_energies[m], se = r.raw_se[m], own = r.certainty.own[m];
+      const double e = r.runs.raw_energies[m], se = r.runs.raw_se[m], own = r.standing.certainty.own[m];
       if (own >= lowest) panel.across(own, x - 0.45 * slot, x + 0.45 * slot, {plot::kRecordingLine, 1, ""});
       if (!(e >= lowest)) continue;
       if (std::isfinite(se)) panel.upright(x, std::max(lowest, e - se), e + se, {plot::look(k).colour, 0.8, ""});
@@ -155,7 +156,7 @@ void write_metrics(svg::Sheet& sheet, const plot::Panel& panel, const Comparison
   sheet.line({panel.box().left, y}, {panel.box().right(), y});
   for (std::size_t j = 0; j < at.order.size(); ++j) {
     const std::size_t m = at.order[j];
-    const svg::Text symbol = svg::italic(c.columns[m].info().symbol);
+    const svg::Text symbol = svg::italic(c.recording.columns[m].info().symbol);
     const double x = panel.place({at.x[j], lowest}).x;
     sheet.text({x, y + 9}, counts(c, m) ? symbol : svg::plain("(") + symbol + svg::plain(")"), Anchor::middle);
     const std::string lag = lag_title(c, m);
@@ -172,12 +173,13 @@ void write_metrics(svg::Sheet& sheet, const plot::Panel& panel, const Comparison
 }  // namespace
 
 Figure scores(const Comparison& c) {
-  if (std::none_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return std::isfinite(r.score); })) return {"scores", "", ""};
+  if (std::none_of(c.models.begin(), c.models.end(), [](const ModelFit& r) { return std::isfinite(r.standing.score); }))
+    return {"scores", "", ""};
   const double names = widest_name(c);
   svg::Sheet sheet(names < 90 ? svg::kOneColumn : svg::kTwoColumns);
   const double right = sheet.width() - 4;
   const ScoreColumns at{right - 48, right - 32, right};
-  const double row = c.hold_out.used ? 16 : 12, top = 12;
+  const double row = c.recording.hold_out.used ? 16 : 12, top = 12;
   const svg::Box box{names + 10, top, at.score - 26 - names - 10, row * static_cast<double>(c.models.size()) + 2};
   const plot::Axis x = score_axis(c, box.width);
   plot::Panel panel(sheet, box, x, plot::linear(0, static_cast<double>(c.models.size())));
@@ -185,12 +187,13 @@ Figure scores(const Comparison& c) {
   sheet.text({at.group, 9}, svg::plain("group"), Anchor::middle, svg::kSoft);
   sheet.text({at.fit, 9}, svg::plain("fit p"), Anchor::end, svg::kSoft);
   for (std::size_t k = 0; k < c.models.size(); ++k) {
-    const FitResult& r = c.models[k];
+    const ModelFit& r = c.models[k];
     const double y = static_cast<double>(c.models.size() - k) - 0.5;
     draw_scores(panel, y, c, k);
     write_row(sheet, panel.place({0, y}).y + 2.5, r, at);
   }
-  panel.x_axis(svg::plain(fmt::format("score{}{}", c.laws > 0 ? ", 95 % interval" : "", c.hold_out.used ? "; hollow: held out" : "")));
+  panel.x_axis(svg::plain(
+      fmt::format("score{}{}", c.ranking.laws > 0 ? ", 95 % interval" : "", c.recording.hold_out.used ? "; hollow: held out" : "")));
   const std::string absent = unscored(c);
   double height = box.bottom() + 24;
   if (!absent.empty()) height = sheet.note(height + 8, std::string_view(absent).substr(1)) - 4;
@@ -198,13 +201,13 @@ Figure scores(const Comparison& c) {
 }
 
 Figure energies(const Comparison& c) {
-  const auto defined = [](const FitResult& r) {
-    return std::any_of(r.raw_energies.begin(), r.raw_energies.end(), [](double e) { return e > 0; });
+  const auto defined = [](const ModelFit& r) {
+    return std::any_of(r.runs.raw_energies.begin(), r.runs.raw_energies.end(), [](double e) { return e > 0; });
   };
   if (std::none_of(c.models.begin(), c.models.end(), defined)) return {"energies", "", ""};
-  svg::Sheet sheet(c.models.size() * c.columns.size() > 24 ? svg::kTwoColumns : svg::kOneColumn);
+  svg::Sheet sheet(c.models.size() * c.recording.columns.size() > 24 ? svg::kTwoColumns : svg::kOneColumn);
   std::vector<plot::Entry> legend = model_entries(c, plot::Sample::marker);
-  if (c.laws > 0) legend.push_back({plot::Sample::level, 0, "recordings made by the model"});
+  if (c.ranking.laws > 0) legend.push_back({plot::Sample::level, 0, "recordings made by the model"});
   const double top = plot::legend_rows(sheet, 4, sheet.width(), 9, legend) + 8;
   const svg::Box box{26, top, sheet.width() - 30, 120};
   const Places at = places(c);
@@ -218,12 +221,13 @@ Figure energies(const Comparison& c) {
   panel.y_axis({});
   sheet.text({4, top - 5}, svg::plain("raw energy"));
   const std::string absent = not_drawn(c, y.lower);
-  double height = box.bottom() + (c.columns.size() > kMetrics ? 25 : 13);
+  double height = box.bottom() + (c.recording.columns.size() > kMetrics ? 25 : 13);
   if (!absent.empty()) height = sheet.note(height + 8, std::string_view(absent).substr(1)) - 4;
   const std::string caption = fmt::format(
       "Raw energies ({}) with one standard error over the final "
       "replicates.{}{}{}",
-      what_energy_means(c), c.laws > 0 ? " Grey: mean energy of recordings made by the model itself, what a perfect model would have." : "",
+      what_energy_means(c),
+      c.ranking.laws > 0 ? " Grey: mean energy of recordings made by the model itself, what a perfect model would have." : "",
       any_left_out(c) ? " In brackets: not in the score." : "", absent);
   return {"energies", caption, sheet.document(height, "Raw energies by metric", caption)};
 }

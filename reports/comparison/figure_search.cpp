@@ -19,11 +19,11 @@ using svg::Anchor;
 // ---- convergence ----------------------------------------------------------------------------------------------------------------
 
 // A hole between passes: scores under different weights are not to be joined.
-plot::Curve best_so_far(const FitResult& r) {
+plot::Curve best_so_far(const ModelFit& r) {
   plot::Curve out;
-  for (std::size_t k = 0; k < r.convergence.size(); ++k) {
-    const ConvergencePoint& p = r.convergence[k];
-    if (k > 0 && r.convergence[k - 1].pass != p.pass) out.push_back({static_cast<double>(p.evaluations), NAN});
+  for (std::size_t k = 0; k < r.search.convergence.size(); ++k) {
+    const ConvergencePoint& p = r.search.convergence[k];
+    if (k > 0 && r.search.convergence[k - 1].pass != p.pass) out.push_back({static_cast<double>(p.evaluations), NAN});
     out.push_back({static_cast<double>(p.evaluations), p.best});
   }
   return out;
@@ -38,17 +38,17 @@ double place_of(const ParameterResult& p, double value) {
   return p.upper > p.lower ? place_on(scale_of(p.log, p.lower), p.lower, p.upper, value) : NAN;
 }
 
-std::vector<const ParameterResult*> fitted(const FitResult& r) {
+std::vector<const ParameterResult*> fitted(const ModelFit& r) {
   std::vector<const ParameterResult*> out;
   for (const ParameterResult& p : r.parameters)
     if (p.fitted) out.push_back(&p);
   return out;
 }
 
-double block_height(const FitResult& r) { return kBlockHead + kRow * static_cast<double>(fitted(r).size()) + kBlockFoot; }
+double block_height(const ModelFit& r) { return kBlockHead + kRow * static_cast<double>(fitted(r).size()) + kBlockFoot; }
 
 bool any_posterior(const Comparison& c) {
-  return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return r.posterior.simulations > 0; });
+  return std::any_of(c.models.begin(), c.models.end(), [](const ModelFit& r) { return r.posterior.simulations > 0; });
 }
 
 std::string value_text(const ParameterResult& p) {
@@ -67,7 +67,7 @@ struct Widths {
 Widths widths(const Comparison& c) {
   constexpr double kWiderFont = 1.1;
   Widths out;
-  for (const FitResult& r : c.models)
+  for (const ModelFit& r : c.models)
     for (const ParameterResult* p : fitted(r)) {
       out.names = std::max(out.names, kWiderFont * svg::plain(name_text(*p)).width);
       out.values = std::max(out.values, kWiderFont * svg::plain(value_text(*p)).width);
@@ -75,7 +75,7 @@ Widths widths(const Comparison& c) {
   return out;
 }
 
-void draw_block(svg::Sheet& sheet, const FitResult& r, std::size_t k, const svg::Box& at, const Widths& text) {
+void draw_block(svg::Sheet& sheet, const ModelFit& r, std::size_t k, const svg::Box& at, const Widths& text) {
   const auto rows = fitted(r);
   const auto count = static_cast<double>(rows.size());
   sheet.text({at.left + 2, at.top + 9}, svg::plain(r.model));
@@ -100,9 +100,9 @@ void draw_block(svg::Sheet& sheet, const FitResult& r, std::size_t k, const svg:
 Figure convergence(const Comparison& c) {
   plot::Range across, up;
   std::vector<std::string> absent;
-  for (const FitResult& r : c.models) {
+  for (const ModelFit& r : c.models) {
     bool any = false;
-    for (const ConvergencePoint& p : r.convergence) {
+    for (const ConvergencePoint& p : r.search.convergence) {
       if (!std::isfinite(p.best)) continue;
       any = true;
       across.include(static_cast<double>(p.evaluations));
@@ -135,7 +135,7 @@ Figure convergence(const Comparison& c) {
 Figure parameters(const Comparison& c) {
   double total = 0;
   std::size_t blocks = 0;
-  for (const FitResult& r : c.models)
+  for (const ModelFit& r : c.models)
     if (!fitted(r).empty()) total += block_height(r), ++blocks;
   if (blocks == 0) return {"parameters", "", ""};
   // Two columns of blocks, filled from the top: the left one takes those that end in its half.
@@ -145,7 +145,7 @@ Figure parameters(const Comparison& c) {
   svg::Box at{0, 0, column, 0};
   double height = 0, done = 0;
   for (std::size_t k = 0; k < c.models.size(); ++k) {
-    const FitResult& r = c.models[k];
+    const ModelFit& r = c.models[k];
     if (fitted(r).empty()) continue;
     at.height = block_height(r);
     if (at.left == 0 && blocks > 1 && done > 0 && done + 0.5 * at.height > 0.5 * total) at.left = column + between, at.top = 0;

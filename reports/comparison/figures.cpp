@@ -17,14 +17,14 @@ namespace parts {
 
 std::vector<std::size_t> drawing_order(const Comparison& c) {
   std::vector<std::size_t> out, without_lag;
-  for (std::size_t m = 0; m < c.columns.size(); ++m) (c.columns[m].motion() ? out : without_lag).push_back(m);
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m) (c.recording.columns[m].motion() ? out : without_lag).push_back(m);
   out.insert(out.end(), without_lag.begin(), without_lag.end());
   return out;
 }
 
 std::string lag_title(const Comparison& c, std::size_t column) {
-  const bool several = c.columns.size() > kMetrics;
-  return several && c.columns[column].motion() ? lag_name(c, c.columns[column].lag) : std::string();
+  const bool several = c.recording.columns.size() > kMetrics;
+  return several && c.recording.columns[column].motion() ? lag_name(c, c.recording.columns[column].lag) : std::string();
 }
 
 std::vector<plot::Entry> model_entries(const Comparison& c, plot::Sample sample) {
@@ -37,7 +37,7 @@ std::vector<plot::Entry> model_entries(const Comparison& c, plot::Sample sample)
 
 std::vector<Figure> figures(const Comparison& c) {
   std::vector<Figure> all = {parts::densities(c), parts::scores(c), parts::energies(c), parts::convergence(c), parts::parameters(c)};
-  for (std::size_t m = 0; m < c.columns.size(); ++m) all.push_back(parts::density_of(c, m));
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m) all.push_back(parts::density_of(c, m));
   std::vector<Figure> out;
   for (Figure& f : all) {
     if (f.svg.empty()) continue;

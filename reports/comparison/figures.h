@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 

@@ -28,14 +28,14 @@ PageValues page_values(const Comparison& c) {
           {"player_js", player_script()},
           {"data", chart_data(c)},
           {"title", html_escaped(fmt::format("{} – swarmfit", answer.sentence))},
-          {"kind", c.command == "fit" ? "fit" : "comparison"},
+          {"kind", c.run.command == "fit" ? "fit" : "comparison"},
           {"badge", sections::badge(c).text},
           {"sentence", html_escaped(answer.sentence)},
           {"detail", html_escaped(answer.detail)},
           {"facts", sections::data_facts(c).text},
           {"warnings", sections::warnings(c).text},
           {"ranking", sections::ranking(c).text},
-          {"final_replicates", std::to_string(c.budget.final_replicates)},
+          {"final_replicates", std::to_string(c.run.budget.final_replicates)},
           {"energy", html_escaped(what_energy_means(c))},
           {"what_skill_means", html_escaped(what_skill_means(c))},
           {"motion", sections::motion(c).text},
@@ -55,10 +55,10 @@ PageValues page_values(const Comparison& c) {
           {"panel", sections::panel(c).text},
           {"methods", sections::methods(c).text},
           {"references", sections::references(c).text},
-          {"command", html_escaped(fmt::format("swarmfit {} --config config.toml --out NEW_FOLDER", c.command))},
+          {"command", html_escaped(fmt::format("swarmfit {} --config config.toml --out NEW_FOLDER", c.run.command))},
           {"provenance", sections::provenance(c).text},
-          {"config", html_escaped(config_toml(c.command, c.config))},
-          {"version", html_escaped(c.version)}};
+          {"config", html_escaped(config_toml(c.run.command, c.run.config))},
+          {"version", html_escaped(c.run.version)}};
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 

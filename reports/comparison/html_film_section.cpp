@@ -12,7 +12,7 @@ namespace {
 
 std::string what_is_shown(const Comparison& c) {
   const auto frames = c.film.frames();
-  const auto shown = static_cast<std::int64_t>(frames.size()), all = static_cast<std::int64_t>(c.data.frames);
+  const auto shown = static_cast<std::int64_t>(frames.size()), all = static_cast<std::int64_t>(c.recording.data.frames);
   const double seconds = static_cast<double>(shown - 1) * c.film.dt();  // frames without anybody are not played
   const std::string which = shown < all ? fmt::format("are the first {} of {} frames", counted(shown), counted(all)) : "is every frame";
   return fmt::format("Shown {}, from {} to {}: {} s.", which, frames.front().number, frames.back().number, brief(seconds));
@@ -26,14 +26,14 @@ constexpr const char* kPair = " Both begin at their own first frame, and are dra
 
 std::string who_is_shown(const Comparison& c) {
   if (c.models.empty()) return {};
-  return c.command == "evaluate" ? kPair : kModels;
+  return c.run.command == "evaluate" ? kPair : kModels;
 }
 
 }  // namespace
 
 Html motion(const Comparison& c) {
   if (c.film.rows() == 0) return {};
-  std::vector<Take> takes{{c.data.format == "simulated" ? c.data.path : "recording", &c.film}};
+  std::vector<Take> takes{{c.recording.data.format == "simulated" ? c.recording.data.path : "recording", &c.film}};
   for (std::size_t k = 0; k < c.models.size(); ++k) takes.push_back({c.models[k].model, &c.models[k].film, static_cast<int>(k)});
   Html out = markup("<section id=\"motion\" aria-labelledby=\"motion-title\">\n<h2 id=\"motion-title\">In motion</h2>\n");
   out += element("p", "", escaped(what_is_shown(c) + who_is_shown(c)));

@@ -23,7 +23,7 @@ double place(const ParameterResult& p) {
   return p.fitted && p.upper > p.lower ? place_on(scale_of(p.log, p.lower), p.lower, p.upper, p.value) : NAN;
 }
 
-Html parameter_table(const FitResult& r) {
+Html parameter_table(const ModelFit& r) {
   HtmlTable table(fmt::format("Parameters of {}", r.model));
   const bool posterior = r.posterior.simulations > 0;
   Cells head = {column("parameter"),           column("symbol"),   column("value", true),         column("unit"),
@@ -52,24 +52,25 @@ Html parameter_table(const FitResult& r) {
 }
 
 // The largest change of a raw energy when the time step is halved, among the metrics that count.
-double half_step_change(const Comparison& c, const FitResult& r) {
+double half_step_change(const Comparison& c, const ModelFit& r) {
   double largest = NAN;
-  for (std::size_t m = 0; m < c.columns.size(); ++m) {
-    const double change = std::abs(r.half_step_energies[m] - r.raw_energies[m]);
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m) {
+    const double change = std::abs(r.runs.half_step_energies[m] - r.runs.raw_energies[m]);
     if (counts(c, m) && std::isfinite(change)) largest = std::isfinite(largest) ? std::max(largest, change) : change;
   }
   return largest;
 }
 
 std::string error_text(const Comparison& c) {
-  const ObservationFacts& o = c.observation;
+  const ObservationFacts& o = c.recording.observation;
   if (o.error_source == "none") return "none added";
   if (o.white && o.sigma.isZero()) return "none added: what was estimated would not show in any metric";
   return fmt::format("{} ({}{})", sigma_text(c), o.error_source, o.error_source == "estimate" && !o.white ? ", but not white" : "");
 }
 
 std::string smoothing_text(const Comparison& c) {
-  return c.observation.smoothing > 0 ? fmt::format("Gaussian, {} frames, on both sides", brief(c.observation.smoothing)) : "none";
+  return c.recording.observation.smoothing > 0 ? fmt::format("Gaussian, {} frames, on both sides", brief(c.recording.observation.smoothing))
+                                               : "none";
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ std::string smoothing_text(const Comparison& c) {
 Html parameters(const Comparison& c) {
   Html out;
   for (std::size_t k = 0; k < c.models.size(); ++k) {
-    const FitResult& r = c.models[k];
+    const ModelFit& r = c.models[k];
     Html title = key_drawing(k);
     title += escaped(r.model);
     out += Html{k == 0 ? "<details open>" : "<details>"};
@@ -96,13 +97,13 @@ Html search(const Comparison& c) {
               column("final runs blown up", true), column("ended because"), column("steps per frame", true),
               column("largest change at half the step", true), column("without collision-free velocity", true)});
   for (std::size_t k = 0; k < c.models.size(); ++k) {
-    const FitResult& r = c.models[k];
+    const ModelFit& r = c.models[k];
     Html name = key_drawing(k);
     name += escaped(r.model);
-    table.row({name_cell(name), number_cell(counted(r.evaluations)), number_cell(counted(r.simulations)),
-               number_cell(counted(r.failed_simulations)), number_cell(percent(r.failed_final)), text_cell(r.stop_reason),
-               number_cell(std::to_string(r.steps)), number_cell(fixed(half_step_change(c, r), 2)),
-               number_cell(percent(r.infeasible_avoidance))});
+    table.row({name_cell(name), number_cell(counted(r.search.evaluations)), number_cell(counted(r.search.simulations)),
+               number_cell(counted(r.search.failed_simulations)), number_cell(percent(r.runs.failed_final)),
+               text_cell(r.search.stop_reason), number_cell(std::to_string(r.runs.steps)), number_cell(fixed(half_step_change(c, r), 2)),
+               number_cell(percent(r.runs.infeasible_avoidance))});
   }
   Html out = table.html();
   out += element(
@@ -114,7 +115,7 @@ Html search(const Comparison& c) {
 }
 
 Html observation(const Comparison& c) {
-  const ObservationFacts& o = c.observation;
+  const ObservationFacts& o = c.recording.observation;
   Html facts = fact("presence of individuals", o.presence == "recorded" ? "as recorded, gaps included" : o.presence);
   facts += fact("arena", o.arena);
   if (o.unseen > 0) facts += fact("simulated beside the tracked ones", counted(o.unseen, "individual"));
@@ -127,9 +128,9 @@ Html observation(const Comparison& c) {
   HtmlTable table("How much of each metric is measurement error, and how many independent samples the recording is worth");
   table.head({column("metric"), column(""), column("share of variance", true), column("independent samples", true), column("in the score"),
               column("why not, or not in full")});
-  for (std::size_t m = 0; m < c.columns.size(); ++m)
-    table.row({name_cell(escaped(c.columns[m].name())), text_cell(c.columns[m].symbol()), number_cell(percent(o.error_share[m])),
-               number_cell(brief(o.independent[m], 2)),
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+    table.row({name_cell(escaped(c.recording.columns[m].name())), text_cell(c.recording.columns[m].symbol()),
+               number_cell(percent(o.error_share[m])), number_cell(brief(o.independent[m], 2)),
                text_cell(!counts(c, m)  ? "no"
                          : o.drowned[m] ? "beyond the error"
                                         : "yes"),
@@ -153,19 +154,20 @@ Html references(const Comparison& c) {
 std::string size_text(const SearchSize& s) { return fmt::format("{} × {} on {} replicates", s.population, s.generations, s.replicates); }
 
 Html provenance(const Comparison& c) {
-  Html out = fact("version", c.version);
-  out += fact("seed", std::to_string(c.seed));
-  out += fact("protocol", c.protocol);
-  out += fact("common parameters", fmt::format("{}", fmt::join(c.common, ", ")));
-  out += fact("budget", fmt::format("{}: scout {} × {}, search {}, selection {}, confirmation on {}, report on {} replicates",
-                                    c.budget.name, c.budget.scout.rounds, c.budget.scout.simulations, size_text(c.budget.search),
-                                    size_text(c.budget.selection), c.budget.confirmation_replicates, c.budget.final_replicates));
-  out += fact("calibration", c.mean_weights ? "each pass searches under the mean of all weights so far"
-                                            : "each pass searches under the last weights, as published");
-  out += fact("read as", c.data.format);
-  out += fact("columns", c.data.columns);
-  out += fact("SHA-256 of the recording", c.data.sha256, true);
-  for (const std::string& note : c.data.notes) out += fact("repaired while reading", note, true);
+  Html out = fact("version", c.run.version);
+  out += fact("seed", std::to_string(c.run.seed));
+  out += fact("protocol", c.run.protocol);
+  out += fact("common parameters", fmt::format("{}", fmt::join(c.run.common, ", ")));
+  out += fact("budget",
+              fmt::format("{}: scout {} × {}, search {}, selection {}, confirmation on {}, report on {} replicates", c.run.budget.name,
+                          c.run.budget.scout.rounds, c.run.budget.scout.simulations, size_text(c.run.budget.search),
+                          size_text(c.run.budget.selection), c.run.budget.confirmation_replicates, c.run.budget.final_replicates));
+  out += fact("calibration", c.ranking.mean_weights ? "each pass searches under the mean of all weights so far"
+                                                    : "each pass searches under the last weights, as published");
+  out += fact("read as", c.recording.data.format);
+  out += fact("columns", c.recording.data.columns);
+  out += fact("SHA-256 of the recording", c.recording.data.sha256, true);
+  for (const std::string& note : c.recording.data.notes) out += fact("repaired while reading", note, true);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/comparison/quantities.h"
 #include "reports/comparison/words.h"
 #include "reports/write/number.h"
 #include "reports/write/plain_text.h"
@@ -30,11 +31,12 @@ std::string plus_minus(double value, double se, int decimals) {
 // One column per metric, from what `text` says of each.
 template <class Text>
 void metric_columns(const Comparison& c, Cells& cells, Text text) {
-  for (std::size_t m = 0; m < c.columns.size(); ++m) cells.push_back(number_cell(text(m), !counts(c, m)));
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m) cells.push_back(number_cell(text(m), !counts(c, m)));
 }
 
 void metric_heads(const Comparison& c, Cells& cells) {
-  for (std::size_t m = 0; m < c.columns.size(); ++m) cells.push_back(column(marked(c, m, c.columns[m].symbol()), true, !counts(c, m)));
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+    cells.push_back(column(marked(c, m, c.recording.columns[m].symbol()), true, !counts(c, m)));
 }
 
 struct Scale {
@@ -49,41 +51,42 @@ struct Scale {
 // From 0 (or the lowest interval) to 1 (or the highest).
 Scale score_scale(const Comparison& c) {
   Scale scale{0, 1};
-  for (const FitResult& r : c.models)
-    for (const double x : {r.score, r.certainty.lower, r.certainty.upper}) scale.include(x);
+  for (const ModelFit& r : c.models)
+    for (const double x : {r.standing.score, r.standing.certainty.lower, r.standing.certainty.upper}) scale.include(x);
   return scale;
 }
 
 // Beneath the chart of a column: what it weighs, or what its energy is, or where nobody is compared, its mean and standard deviation.
 std::string column_remark(const Comparison& c, std::size_t m) {
-  const Moments& all = c.recording[m].moments;
+  const Moments& all = c.recording.distributions[m].moments;
   if (c.models.empty())
-    return fmt::format("{} ± {} {}", rounded(all.mean), rounded(all.sd()), metric_unit(c.columns[m].metric, c.data.unit));
-  if (c.command == "evaluate") return fmt::format("energy {}", fixed(c.models.front().raw_energies[m], 3));
-  return counts(c, m) ? fmt::format("weight {}", fixed(c.weights[m], 3)) : "left out: " + why_left_out(c, m);
+    return fmt::format("{} ± {} {}", rounded(all.mean), rounded(all.sd()),
+                       metric_unit(c.recording.columns[m].metric, c.recording.data.unit));
+  if (c.run.command == "evaluate") return fmt::format("energy {}", fixed(c.models.front().runs.raw_energies[m], 3));
+  return counts(c, m) ? fmt::format("weight {}", fixed(c.ranking.weights[m], 3)) : "left out: " + why_left_out(c, m);
 }
 
 // Whose densities a chart shows.
 std::string whose(const Comparison& c) {
   if (c.models.empty()) return {};
-  return c.command == "evaluate" ? " in the recording and in the simulation" : " in the recording and in every model";
+  return c.run.command == "evaluate" ? " in the recording and in the simulation" : " in the recording and in every model";
 }
 
-std::vector<std::string> remarks(const FitResult& r) {
+std::vector<std::string> remarks(const ModelFit& r) {
   std::vector<std::string> out;
   const auto bounds = at_bounds(r);
   if (!bounds.empty()) out.push_back("on a bound: " + enumerate(bounds));
-  if (r.failed_simulations > 0)
-    out.push_back(fmt::format("{} of {} simulations blew up", counted(r.failed_simulations), counted(r.simulations)));
+  if (r.search.failed_simulations > 0)
+    out.push_back(fmt::format("{} of {} simulations blew up", counted(r.search.failed_simulations), counted(r.search.simulations)));
   return out;
 }
 
 }  // namespace
 
-Html badge(const Comparison& c) { return c.data.synthetic ? synthetic_badge() : Html{}; }
+Html badge(const Comparison& c) { return c.recording.data.synthetic ? synthetic_badge() : Html{}; }
 
 Html data_facts(const Comparison& c) {
-  const DataFacts& d = c.data;
+  const DataFacts& d = c.recording.data;
   Html out = fact("recording", d.path, true);
   out += fact("tracks", counted(static_cast<std::int64_t>(d.tracks)));
   out += fact("frames", fmt::format("{} ({} to {})", counted(static_cast<std::int64_t>(d.frames)), d.first_frame, d.last_frame));
@@ -109,41 +112,48 @@ Html warnings(const Comparison& c) {
 Html ranking(const Comparison& c) {
   HtmlTable table("Models by score, with their raw energies");
   table.sortable();
-  Cells head = {column("rank", true),  column("model"),       column("score", true),
-                column("score, 95 %"), column("fit p", true), column("skill ± se", true)};
-  if (c.hold_out.used) head.insert(head.end(), {column("held out", true), column("gap", true)});
-  metric_heads(c, head);
-  head.push_back(column("tried", true));
-  table.head(head);
+  const auto columns = ranking_columns(c, Reader::page);
+  // Rank, model, the other columns of a ranking, and before the last of those the metrics.
+  const auto row = [&](const HtmlTable::Cell& model, auto cell, auto metrics) {
+    Cells cells = {cell(*columns.front()), model};
+    for (std::size_t k = 1; k + 1 < columns.size(); ++k) cells.push_back(cell(*columns[k]));
+    metrics(cells);
+    cells.push_back(cell(*columns.back()));
+    return cells;
+  };
+  const auto nothing = [&](Cells& cells) { metric_columns(c, cells, [](std::size_t) { return std::string(); }); };
+  table.head(row(
+      column("model"), [](const Quantity& q) { return column(q.head, q.key != "score_ci", false, q.meaning); },
+      [&](Cells& cells) { metric_heads(c, cells); }));
 
   const Scale scale = score_scale(c);
   for (std::size_t k = 0; k < c.models.size(); ++k) {
-    const FitResult& r = c.models[k];
+    const ModelFit& r = c.models[k];
     Html name = model_name(c, k);
     for (const std::string& remark : remarks(r)) name += element("span", "flag", escaped(remark));
-    Cells cells = {number_cell(r.rank > 0 ? fmt::format("{} {}", r.rank, group_letter(r)) : kUndefined), name_cell(name),
-                   number_cell(fixed(r.score, 3))};
-    cells.push_back({.content = interval_drawing(r.score, r.certainty.lower, r.certainty.upper, scale.lower, scale.upper, k)});
-    cells.push_back(number_cell(fixed(r.certainty.goodness_p, 2)));
-    cells.push_back(number_cell(plus_minus(r.skill.value, r.skill.se, 2)));
-    if (c.hold_out.used) cells.insert(cells.end(), {number_cell(held_out_score(r)), number_cell(fixed(r.score - r.held_out.score, 3))});
-    metric_columns(c, cells, [&](std::size_t m) { return fixed(r.raw_energies[m], 2); });
-    cells.push_back(number_cell(counted(r.evaluations)));
-    table.row(cells, r.rank == 1 ? "first" : "");
+    const auto cell = [&](const Quantity& q) -> HtmlTable::Cell {
+      const Certainty& sure = r.standing.certainty;
+      if (q.key == "score_ci") return {.content = interval_drawing(r.standing.score, sure.lower, sure.upper, scale.lower, scale.upper, k)};
+      return number_cell(q.print(r, Reader::page));
+    };
+    const auto energies = [&](Cells& cells) { metric_columns(c, cells, [&](std::size_t m) { return fixed(r.runs.raw_energies[m], 2); }); };
+    table.row(row(name_cell(name), cell, energies), r.standing.rank == 1 ? "first" : "");
   }
-  const std::size_t before = c.hold_out.used ? 8 : 6;  // columns that are not of a metric
-  if (std::isfinite(c.skill.walker.value)) {
-    Cells walk = {text_cell(""), name_cell(escaped(kWalk))};
-    while (walk.size() < before + c.columns.size() + 1) walk.push_back(text_cell(""));
-    walk[5] = number_cell(plus_minus(c.skill.walker.value, c.skill.walker.se, 2));
-    table.foot(walk);
+  const Estimate& walker = c.recording.skill.walker;
+  if (std::isfinite(walker.value)) {
+    const auto cell = [&](const Quantity& q) {
+      return q.key == "skill" ? number_cell(plus_minus(walker.value, walker.se, 2)) : text_cell("");
+    };
+    table.foot(row(name_cell(escaped(kWalk)), cell, nothing));
   }
-  Cells foot = {text_cell(""), name_cell(markup("weight in the score"))};
-  while (foot.size() < before) foot.push_back(text_cell(""));
-  metric_columns(c, foot, [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 3) : kUndefined; });
-  foot.push_back(text_cell(""));
-  Html out = table.foot(foot).html();
-  for (const std::string& note : {what_ranks_mean(c), c.hold_out.used ? what_held_out_means(c) : std::string(), what_drowned_means(c)})
+  const auto weights = [&](Cells& cells) {
+    metric_columns(c, cells, [&](std::size_t m) { return counts(c, m) ? fixed(c.ranking.weights[m], 3) : kUndefined; });
+  };
+  table.foot(row(
+      name_cell(markup("weight in the score")), [](const Quantity&) { return text_cell(""); }, weights));
+  Html out = table.html();
+  for (const std::string& note :
+       {what_ranks_mean(c), c.recording.hold_out.used ? what_held_out_means(c) : std::string(), what_drowned_means(c)})
     if (!note.empty()) out += element("p", "note", escaped(note));
   if (const std::string fixed = kept_fixed(c); !fixed.empty())
     out += element("p", "note", Html{"<b>Kept fixed</b>, not searched: " + escaped(unit_in_print(fixed)).text + "."});
@@ -163,33 +173,36 @@ Html legend(const Comparison& c) {
 
 Html pdf_figures(const Comparison& c) {
   Html out;
-  for (std::size_t m = 0; m < c.columns.size(); ++m) {
-    const std::string name = c.columns[m].name(), symbol = c.columns[m].symbol();
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m) {
+    const std::string name = c.recording.columns[m].name(), symbol = c.recording.columns[m].symbol();
     const std::string remark = column_remark(c, m);
-    if (c.recording[m].histogram.samples == 0) {
+    if (c.recording.distributions[m].histogram.samples == 0) {
       out += Html{fmt::format("<figure><h3>{} {}</h3><p class=\"note\">No samples in this recording.</p></figure>\n", name, symbol)};
       continue;
     }
     out +=
         Html{fmt::format("<figure><h3>{0} {1}</h3><div class=\"canvas\"><canvas id=\"pdf-{2}\" role=\"img\" "
                          "aria-label=\"Density of the {0}{4}\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
-                         name, symbol, c.columns[m].key(), html_escaped(remark), whose(c))};
+                         name, symbol, c.recording.columns[m].key(), html_escaped(remark), whose(c))};
   }
   return out;
 }
 
 Html band_note(const Comparison& c) {
-  if (c.models.empty() || std::all_of(c.band.lower.begin(), c.band.lower.end(), [](const auto& bins) { return bins.empty(); })) return {};
+  if (c.models.empty() ||
+      std::all_of(c.ranking.band.lower.begin(), c.ranking.band.lower.end(), [](const auto& bins) { return bins.empty(); }))
+    return {};
   return escaped(fmt::format(" Shaded band: where 95 % of single recordings made by {} lie, bin by bin; grey within it is no misfit.",
                              c.models.front().model));
 }
 
 Html pdf_note(const Comparison& c) {
-  switch (c.binning.normalisation) {
+  switch (c.recording.binning.normalisation) {
     case Normalisation::reference:
-      return escaped(fmt::format(
-          "{} bins from {} to {} standard deviations of the recording about its mean{}. Axes are cut where nobody is.", c.binning.bins,
-          brief(c.binning.lower), brief(c.binning.upper), c.binning.clip ? "; what lies outside is counted in the end bins" : ""));
+      return escaped(
+          fmt::format("{} bins from {} to {} standard deviations of the recording about its mean{}. Axes are cut where nobody is.",
+                      c.recording.binning.bins, brief(c.recording.binning.lower), brief(c.recording.binning.upper),
+                      c.recording.binning.clip ? "; what lies outside is counted in the end bins" : ""));
     case Normalisation::separate:
       return markup(
           "Every set is standardised by its own mean and standard deviation before it is compared: only the shape counts. The models are "
@@ -204,19 +217,20 @@ Html pdf_note(const Comparison& c) {
 Html moments(const Comparison& c) {
   HtmlTable table("Mean and standard deviation: of the recording, and of every model as a multiple of it");
   Cells head = {column("model"), column("")};
-  for (std::size_t m = 0; m < c.columns.size(); ++m)
-    head.push_back(column(fmt::format("{} [{}]", marked(c, m, c.columns[m].symbol()), metric_unit(c.columns[m].metric, c.data.unit)), true,
-                          !counts(c, m)));
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+    head.push_back(column(fmt::format("{} [{}]", marked(c, m, c.recording.columns[m].symbol()),
+                                      metric_unit(c.recording.columns[m].metric, c.recording.data.unit)),
+                          true, !counts(c, m)));
   table.head(head);
   Cells mean = {name_cell(markup("recording")), text_cell("mean")}, sd = {text_cell(""), text_cell("sd")};
-  metric_columns(c, mean, [&](std::size_t m) { return rounded(c.recording[m].moments.mean); });
-  metric_columns(c, sd, [&](std::size_t m) { return rounded(c.recording[m].moments.sd()); });
+  metric_columns(c, mean, [&](std::size_t m) { return rounded(c.recording.distributions[m].moments.mean); });
+  metric_columns(c, sd, [&](std::size_t m) { return rounded(c.recording.distributions[m].moments.sd()); });
   table.row(mean).row(sd);
   for (std::size_t k = 0; k < c.models.size(); ++k) {
-    const FitResult& r = c.models[k];
+    const ModelFit& r = c.models[k];
     Cells means = {name_cell(model_name(c, k)), text_cell("mean\u00a0×")}, sds = {text_cell(""), text_cell("sd\u00a0×")};
-    metric_columns(c, means, [&](std::size_t m) { return fixed(r.mean_ratio[m], 2); });
-    metric_columns(c, sds, [&](std::size_t m) { return fixed(r.sd_ratio[m], 2); });
+    metric_columns(c, means, [&](std::size_t m) { return fixed(r.runs.mean_ratio[m], 2); });
+    metric_columns(c, sds, [&](std::size_t m) { return fixed(r.runs.sd_ratio[m], 2); });
     table.row(means).row(sds);
   }
   return table.html();
@@ -232,32 +246,32 @@ Html weights(const Comparison& c) {
     metric_columns(c, cells, [&](std::size_t m) { return rounded(values[m]); });
     table.row(cells);
   };
-  row(markup("weight"), c.weights);
-  row(markup("p1 (least energy)"), c.p1);
-  row(markup("p2 (range)"), c.p2);
-  for (const WeightStep& step : c.weight_history) row(escaped(fmt::format("weight, pass {}", step.pass)), step.weights);
+  row(markup("weight"), c.ranking.weights);
+  row(markup("p1 (least energy)"), c.ranking.p1);
+  row(markup("p2 (range)"), c.ranking.p2);
+  for (const WeightStep& step : c.ranking.weight_history) row(escaped(fmt::format("weight, pass {}", step.pass)), step.weights);
   return table.html();
 }
 
 Html lags(const Comparison& c) {
   Html out = element("p", "note", escaped(lag_weights(c) + lags_measured(c)));
-  if (c.lags.size() < 3) return out;
+  if (c.ranking.lags.size() < 3) return out;
   HtmlTable table("Which lag carried the decision");
   table.head({column("lag", true), column("over", true), column("columns in the score", true), column("weight", true),
               column("largest share of localisation error", true)});
-  for (const LagFacts& l : c.lags)
+  for (const LagFacts& l : c.ranking.lags)
     table.row({number_cell(l.lag > 0 ? std::to_string(l.lag) : "d, η"),
-               number_cell(l.lag > 0 ? fmt::format("{} s", brief(l.lag * c.data.dt)) : kUndefined), number_cell(std::to_string(l.scored)),
-               number_cell(fixed(l.weight, 3)), number_cell(percent(l.error_share))});
+               number_cell(l.lag > 0 ? fmt::format("{} s", brief(l.lag * c.recording.data.dt)) : kUndefined),
+               number_cell(std::to_string(l.scored)), number_cell(fixed(l.weight, 3)), number_cell(percent(l.error_share))});
   out += table.html();
   return out;
 }
 
 Html weights_converged(const Comparison& c) {
-  if (c.weight_history.empty()) return {};
-  const std::size_t passes = c.weight_history.size();
-  return escaped(fmt::format("{} after {} {} (largest change {}).", c.weights_converged ? "Settled" : "Not settled", passes,
-                             passes == 1 ? "pass" : "passes", rounded(c.weight_history.back().largest_change, 2)));
+  if (c.ranking.weight_history.empty()) return {};
+  const std::size_t passes = c.ranking.weight_history.size();
+  return escaped(fmt::format("{} after {} {} (largest change {}).", c.ranking.weights_converged ? "Settled" : "Not settled", passes,
+                             passes == 1 ? "pass" : "passes", rounded(c.ranking.weight_history.back().largest_change, 2)));
 }
 
 }  // namespace swarmfit::sections

@@ -2,7 +2,7 @@
 // The parts of a report's page that depend on the result; the rest stands in assets/report.html.
 #pragma once
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "reports/write/html_table.h"
 
 namespace swarmfit::sections {

@@ -25,7 +25,7 @@ double in_errors(const Estimate& model, const Estimate& recording) {
 template <class Text>
 void metric_row(HtmlTable& table, const Comparison& c, const Html& title, Text text) {
   Cells cells = {name_cell(title)};
-  for (std::size_t m = 0; m < c.columns.size(); ++m) cells.push_back(number_cell(text(m), !counts(c, m)));
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m) cells.push_back(number_cell(text(m), !counts(c, m)));
   table.row(cells);
 }
 
@@ -57,9 +57,9 @@ constexpr const char* kHowSkillIsMade =
 Html skill(const Comparison& c) {
   HtmlTable table("Distance to the recording (total variation, 0 to 1), half against half");
   Cells head = {column("")};
-  for (std::size_t m = 0; m < c.columns.size(); ++m) head.push_back(column(c.columns[m].symbol(), true, !counts(c, m)));
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m) head.push_back(column(c.recording.columns[m].symbol(), true, !counts(c, m)));
   table.head(head);
-  const SkillFacts& s = c.skill;
+  const SkillFacts& s = c.recording.skill;
   metric_row(table, c, markup("recording against itself (floor)"), [&](std::size_t m) { return fixed(s.floor[m], 3); });
   const bool places = s.null_of == SkillNull::places;
   metric_row(table, c, escaped(fmt::format("{}{}", kWalk, places ? "" : " (null)")), [&](std::size_t m) { return fixed(s.null[m], 3); });
@@ -68,7 +68,7 @@ Html skill(const Comparison& c) {
   for (std::size_t k = 0; k < c.models.size(); ++k) {
     Html name = key_drawing(k);
     name += escaped(c.models[k].model);
-    metric_row(table, c, name, [&](std::size_t m) { return fixed(c.models[k].total_variation[m], 3); });
+    metric_row(table, c, name, [&](std::size_t m) { return fixed(c.models[k].likeness.total_variation[m], 3); });
   }
   Html out = element("p", "", escaped(kHowSkillIsMade));
   out += table.html();
@@ -78,10 +78,10 @@ Html skill(const Comparison& c) {
 }
 
 Html without(const Comparison& c) {
-  if (c.without.empty()) return {};
+  if (c.ranking.without.empty()) return {};
   HtmlTable table("The ranking if one model had not been compared");
   table.head({column("without"), column("ranking of the others (score)"), column("order")});
-  for (const LeftOut& w : c.without) {
+  for (const LeftOut& w : c.ranking.without) {
     std::string ranking;
     for (const auto& [model, score] : w.ranking) ranking += fmt::format("{}{} ({})", ranking.empty() ? "" : ", ", model, fixed(score, 3));
     table.row({name_cell(escaped(w.model)), text_cell(ranking),
@@ -95,15 +95,15 @@ Html without(const Comparison& c) {
 Html panel(const Comparison& c) {
   HtmlTable table("Beside the metrics");
   Cells head = {column("observable"), column("unit"), column("recording", true)};
-  for (const FitResult& r : c.models) head.push_back(column(r.model, true));
+  for (const ModelFit& r : c.models) head.push_back(column(r.model, true));
   table.head(head);
-  for (std::size_t k = 0; k < c.panel.items.size(); ++k) {
-    const PanelItem& item = c.panel.items[k];
-    const Estimate& real = c.panel.recording[k];
-    Cells cells = {name_cell(escaped(item.name)), text_cell(panel_unit(item, c.data.unit)), number_cell(plus_minus(real))};
-    for (const FitResult& r : c.models) {
-      const double off = in_errors(r.panel[k], real);
-      cells.push_back(number_cell(plus_minus(r.panel[k]), std::isfinite(off) && off > 2));
+  for (std::size_t k = 0; k < c.recording.panel.items.size(); ++k) {
+    const PanelItem& item = c.recording.panel.items[k];
+    const Estimate& real = c.recording.panel.recording[k];
+    Cells cells = {name_cell(escaped(item.name)), text_cell(panel_unit(item, c.recording.data.unit)), number_cell(plus_minus(real))};
+    for (const ModelFit& r : c.models) {
+      const double off = in_errors(r.likeness.panel[k], real);
+      cells.push_back(number_cell(plus_minus(r.likeness.panel[k]), std::isfinite(off) && off > 2));
     }
     table.row(cells);
   }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reports/comparison/quantities.h"
 #include "reports/comparison/skill_json.h"
 #include "reports/write/json_parts.h"
 
@@ -55,10 +56,10 @@ Json observation(const Columns& columns, const ObservationFacts& o) {
 
 Json lags(const Comparison& c) {
   Json out = Json::array();
-  for (const LagFacts& l : c.lags) {
+  for (const LagFacts& l : c.ranking.lags) {
     const bool none = l.lag == 0;
     out.push_back({{"lag", none ? Json() : Json(l.lag)},
-                   {"seconds", none ? Json() : Json(l.lag * c.data.dt)},
+                   {"seconds", none ? Json() : Json(l.lag * c.recording.data.dt)},
                    {"scored", l.scored},
                    {"weight", l.weight},
                    {"error_share", l.error_share}});
@@ -67,14 +68,14 @@ Json lags(const Comparison& c) {
 }
 
 Json binning(const Comparison& c) {
-  return {{"normalisation", name(c.binning.normalisation)},
-          {"interval", {c.binning.lower, c.binning.upper}},
-          {"bins", c.binning.bins},
-          {"clip", c.binning.clip},
-          {"scoring", c.binning.pooled ? "pooled" : "proper"},
-          {"axis_lower", per_column(c.columns, c.axis_lower)},
-          {"axis_width", per_column(c.columns, c.axis_width)},
-          {"defined", per_column(c.columns, c.defined)}};
+  return {{"normalisation", name(c.recording.binning.normalisation)},
+          {"interval", {c.recording.binning.lower, c.recording.binning.upper}},
+          {"bins", c.recording.binning.bins},
+          {"clip", c.recording.binning.clip},
+          {"scoring", c.recording.binning.pooled ? "pooled" : "proper"},
+          {"axis_lower", per_column(c.recording.columns, c.recording.axis_lower)},
+          {"axis_width", per_column(c.recording.columns, c.recording.axis_width)},
+          {"defined", per_column(c.recording.columns, c.recording.defined)}};
 }
 
 Json weight_history(const Columns& columns, const std::vector<WeightStep>& steps) {
@@ -107,21 +108,22 @@ Json parameters(const std::vector<ParameterResult>& table) {
   return out;
 }
 
-Json nearness(const Nearness& n) {
-  return {{"simulated", n.simulated}, {"recorded", n.recorded}, {"ratio", n.simulated / n.recorded}, {"frames", n.frames}};
+// Sets "a.b" as key b of the object a.
+void put(Json& object, std::string_view key, Json value) {
+  const auto dot = key.find('.');
+  Json& in = dot == key.npos ? object : object[std::string(key.substr(0, dot))];
+  in[std::string(dot == key.npos ? key : key.substr(dot + 1))] = std::move(value);
 }
 
-Json held_out(const Columns& columns, const FitResult& r) {
-  const Certainty& c = r.held_out.certainty;
-  return {{"score", r.held_out.score},
-          {"gap", r.score - r.held_out.score},
-          {"score_ci", {c.lower, c.upper}},
-          {"lead_ci", {c.lead_lower, c.lead_upper}},
-          {"group", c.group > 0 ? Json(c.group) : Json()},
-          {"set_p", c.set_p},
-          {"raw_energies", per_column(columns, r.held_out.raw)},
-          {"own_energies", per_column(columns, c.own)},
-          {"nearness", nearness(r.held_out.nearness)}};
+Json json_of(const Value& value) {
+  return std::visit(
+      [](const auto& v) -> Json {
+        using T = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<T, std::optional<int>>) return v ? Json(*v) : Json();
+        if constexpr (std::is_same_v<T, Interval>) return {v.first, v.second};
+        if constexpr (!std::is_same_v<T, std::optional<int>> && !std::is_same_v<T, Interval>) return v;
+      },
+      value);
 }
 
 Json hold_out(const HoldOutFacts& h) {
@@ -148,47 +150,28 @@ Json convergence(const std::vector<ConvergencePoint>& points) {
   return out;
 }
 
-Json model(const Columns& columns, const FitResult& r) {
+Json model(const Comparison& c, const ModelFit& r) {
+  const Columns& columns = c.recording.columns;
+  Json out = {{"name", r.model}};
+  for (const Quantity& q : quantities())
+    if (known(q, c)) put(out, q.key, json_of(q.of(r)));
+  for (const ColumnQuantity& q : column_quantities()) put(out, q.key, per_column(columns, q.of(r)));
+  if (c.recording.hold_out.used) {
+    out["held_out"]["raw_energies"] = per_column(columns, r.standing.held_out.raw);
+    out["held_out"]["own_energies"] = per_column(columns, r.standing.held_out.certainty.own);
+  }
   Json replicates = Json::array();
-  for (const Energies& e : r.replicate_energies) replicates.push_back(per_column(columns, e));
-  return {{"name", r.model},
-          {"rank", r.rank > 0 ? Json(r.rank) : Json()},
-          {"score", r.score},
-          {"score_se", r.score_se},
-          {"score_ci", {r.certainty.lower, r.certainty.upper}},
-          {"lead_ci", {r.certainty.lead_lower, r.certainty.lead_upper}},
-          {"group", r.certainty.group > 0 ? Json(r.certainty.group) : Json()},
-          {"set_p", r.certainty.set_p},
-          {"gof_p", r.certainty.goodness_p},
-          {"own_energies", per_column(columns, r.certainty.own)},
-          {"raw_energies", per_column(columns, r.raw_energies)},
-          {"raw_energies_se", per_column(columns, r.raw_se)},
-          {"energies", per_column(columns, r.energies)},
-          {"half_step_energies", per_column(columns, r.half_step_energies)},
-          {"replicate_energies", std::move(replicates)},
-          {"parameters", parameters(r.parameters)},
-          {"n_parameters", names(r.parameters, [](const ParameterResult& p) { return p.fitted; }).size()},
-          {"at_bounds", names(r.parameters, [](const ParameterResult& p) { return p.at_bound; })},
-          {"options", r.options},
-          {"summary", r.summary},
-          {"citation", r.citation},
-          {"mean_ratio", per_column(columns, r.mean_ratio)},
-          {"sd_ratio", per_column(columns, r.sd_ratio)},
-          {"outside_fraction", per_column(columns, r.outside_fraction)},
-          {"samples", samples(columns, r.distributions)},
-          {"extent", r.extent},
-          {"spacing", r.spacing},
-          {"speed", r.speed},
-          {"evaluations", r.evaluations},
-          {"simulations", r.simulations},
-          {"failed_simulations", r.failed_simulations},
-          {"failed_final", r.failed_final},
-          {"stop_reason", r.stop_reason},
-          {"n_sub", r.steps},
-          {"map", r.map},
-          {"steps_settled", r.steps_settled},
-          {"infeasible_avoidance", r.infeasible_avoidance},
-          {"convergence", convergence(r.convergence)}};
+  for (const Energies& e : r.runs.replicate_energies) replicates.push_back(per_column(columns, e));
+  out["replicate_energies"] = std::move(replicates);
+  out["parameters"] = parameters(r.parameters);
+  out["at_bounds"] = names(r.parameters, [](const ParameterResult& p) { return p.at_bound; });
+  out["options"] = r.options;
+  out["summary"] = r.summary;
+  out["citation"] = r.citation;
+  out["samples"] = samples(columns, r.runs.distributions);
+  out["convergence"] = convergence(r.search.convergence);
+  if (r.posterior.simulations > 0) out["posterior"] = posterior(r.posterior);
+  return out;
 }
 
 // Settings are TOML values; strings, numbers and lists of them are JSON as well.
@@ -205,48 +188,47 @@ Json config(const std::vector<std::pair<std::string, std::string>>& settings) {
 
 std::string to_json(const Comparison& c) {
   Json models = Json::array();
-  for (const FitResult& r : c.models) {
-    models.push_back(model(c.columns, r));
-    if (c.hold_out.used) models.back()["held_out"] = held_out(c.columns, r);
-    if (r.posterior.simulations > 0) models.back()["posterior"] = posterior(r.posterior);
+  for (const ModelFit& r : c.models) {
+    models.push_back(model(c, r));
     add_skill(models.back(), r, c);
   }
-  Json full = {
-      {"schema", "swarmfit-results/1"},
-      {"version", c.version},
-      {"command", c.command},
-      {"seed", c.seed},
-      {"protocol", c.protocol},
-      {"common_parameters", c.common},
-      {"budget",
-       {{"name", c.budget.name},
-        {"search", search_size(c.budget.search)},
-        {"scout", {{"rounds", c.budget.scout.rounds}, {"simulations", c.budget.scout.simulations}}},
-        {"selection", search_size(c.budget.selection)},
-        {"confirmation_replicates", c.budget.confirmation_replicates},
-        {"final_replicates", c.budget.final_replicates},
-        {"passes", c.budget.passes}}},
-      {"presence", c.observation.presence},
-      {"arena", c.observation.arena},
-      {"unseen_individuals", c.observation.unseen},
-      {"data", data(c.data)},
-      {"observation", observation(c.columns, c.observation)},
-      {"binning", binning(c)},
-      {"recording",
-       {{"samples", samples(c.columns, c.recording)}, {"mean", means(c.columns, c.recording)}, {"sd", sds(c.columns, c.recording)}}},
-      {"lags", lags(c)},
-      {"weights", per_column(c.columns, c.weights)},
-      {"p1", per_column(c.columns, c.p1)},
-      {"p2", per_column(c.columns, c.p2)},
-      {"resolution", per_column(c.columns, c.resolution)},
-      {"laws", c.laws},
-      {"hold_out", hold_out(c.hold_out)},
-      {"weights_converged", c.weights_converged},
-      {"calibration", c.mean_weights ? "mean" : "last"},
-      {"weight_history", weight_history(c.columns, c.weight_history)},
-      {"models", std::move(models)},
-      {"warnings", c.warnings},
-      {"config", config(c.config)}};
+  Json full = {{"schema", "swarmfit-results/1"},
+               {"version", c.run.version},
+               {"command", c.run.command},
+               {"seed", c.run.seed},
+               {"protocol", c.run.protocol},
+               {"common_parameters", c.run.common},
+               {"budget",
+                {{"name", c.run.budget.name},
+                 {"search", search_size(c.run.budget.search)},
+                 {"scout", {{"rounds", c.run.budget.scout.rounds}, {"simulations", c.run.budget.scout.simulations}}},
+                 {"selection", search_size(c.run.budget.selection)},
+                 {"confirmation_replicates", c.run.budget.confirmation_replicates},
+                 {"final_replicates", c.run.budget.final_replicates},
+                 {"passes", c.run.budget.passes}}},
+               {"presence", c.recording.observation.presence},
+               {"arena", c.recording.observation.arena},
+               {"unseen_individuals", c.recording.observation.unseen},
+               {"data", data(c.recording.data)},
+               {"observation", observation(c.recording.columns, c.recording.observation)},
+               {"binning", binning(c)},
+               {"recording",
+                {{"samples", samples(c.recording.columns, c.recording.distributions)},
+                 {"mean", means(c.recording.columns, c.recording.distributions)},
+                 {"sd", sds(c.recording.columns, c.recording.distributions)}}},
+               {"lags", lags(c)},
+               {"weights", per_column(c.recording.columns, c.ranking.weights)},
+               {"p1", per_column(c.recording.columns, c.ranking.p1)},
+               {"p2", per_column(c.recording.columns, c.ranking.p2)},
+               {"resolution", per_column(c.recording.columns, c.recording.resolution)},
+               {"laws", c.ranking.laws},
+               {"hold_out", hold_out(c.recording.hold_out)},
+               {"weights_converged", c.ranking.weights_converged},
+               {"calibration", c.ranking.mean_weights ? "mean" : "last"},
+               {"weight_history", weight_history(c.recording.columns, c.ranking.weight_history)},
+               {"models", std::move(models)},
+               {"warnings", c.warnings},
+               {"config", config(c.run.config)}};
   add_skill(full, c);
   return text(full);
 }

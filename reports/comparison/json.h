@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "libeval/evaluation.h"
 #include "libeval/summary.h"
 #include "reports/write/list_text.h"

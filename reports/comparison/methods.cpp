@@ -39,17 +39,19 @@ constexpr const char* kGneiting2007 =
 std::string metrics_text(const Comparison& c) {
   std::string symbols;
   int number = 0;
-  for (std::size_t m = 0; m < c.columns.size(); ++m)
-    if (counts(c, m)) symbols += fmt::format("{}{}", number++ > 0 ? ", " : "", c.columns[m].symbol());
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+    if (counts(c, m)) symbols += fmt::format("{}{}", number++ > 0 ? ", " : "", c.recording.columns[m].symbol());
   return fmt::format("{} motion metrics ({})", number, symbols);
 }
 
 std::string what_was_done(const Comparison& c) {
-  const Budget& b = c.budget;
+  const Budget& b = c.run.budget;
   const std::string models = fmt::format("{} model{}", c.models.size(), c.models.size() == 1 ? " was" : "s were");
-  const std::string error =
-      c.observation.error_source == "none" || c.observation.sigma.isZero() ? "" : fmt::format(", localisation error ({})", sigma_text(c));
-  const std::string smooth = c.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.observation.smoothing)) : "";
+  const std::string error = c.recording.observation.error_source == "none" || c.recording.observation.sigma.isZero()
+                                ? ""
+                                : fmt::format(", localisation error ({})", sigma_text(c));
+  const std::string smooth =
+      c.recording.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.recording.observation.smoothing)) : "";
   const int scouts = b.scout.rounds * b.scout.simulations;
   const std::string fixed = kept_fixed(c);
   const std::string kept =
@@ -66,9 +68,10 @@ std::string what_was_done(const Comparison& c) {
       "[1, 2]; the leaders were searched again with {} replicates and the best of them compared on {} others; final scores rest on {} "
       "fresh "
       "replicates.{} Seed {}.",
-      models, c.version, c.data.frames, c.data.path, brief(c.data.individuals_per_frame, 3), brief(c.data.dt),
-      c.data.synthetic ? ", synthetic" : "", c.observation.presence, c.observation.arena, error, smooth, scouted, b.search.replicates,
-      b.name, metrics_text(c), b.selection.replicates, b.confirmation_replicates, b.final_replicates, kept, c.seed);
+      models, c.run.version, c.recording.data.frames, c.recording.data.path, brief(c.recording.data.individuals_per_frame, 3),
+      brief(c.recording.data.dt), c.recording.data.synthetic ? ", synthetic" : "", c.recording.observation.presence,
+      c.recording.observation.arena, error, smooth, scouted, b.search.replicates, b.name, metrics_text(c), b.selection.replicates,
+      b.confirmation_replicates, b.final_replicates, kept, c.run.seed);
 }
 
 constexpr const char* kMetricsDefined =
@@ -78,7 +81,7 @@ constexpr const char* kMetricsDefined =
 
 std::string how_it_is_measured(const Comparison& c) {
   const std::string energy =
-      c.binning.pooled
+      c.recording.binning.pooled
           ? "its energy is the L1 distance Σ |Q − Q'| between the recording and all replicates pooled [1]"
           : "its energy is the energy score of the recording, the mean L1 distance Σ |Q − Q'| between recording and replicates "
             "less half its mean between two replicates [7]";
@@ -90,7 +93,7 @@ std::string how_it_is_measured(const Comparison& c) {
 
 std::vector<std::string> references(const Comparison& c) {
   std::vector<std::string> out = {kRen2016, kZou2006, kTanabe2013, kNlopt, kCook1994, kFearnhead2012, kGneiting2007};
-  for (const FitResult& r : c.models)
+  for (const ModelFit& r : c.models)
     if (!r.citation.empty() && std::none_of(out.begin(), out.end(), [&](const std::string& old) { return old.starts_with(r.citation); }))
       out.push_back(fmt::format("{} ({})", r.citation, r.model));
   return out;

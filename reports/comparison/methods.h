@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "libeval/evaluation.h"
 
 namespace swarmfit {

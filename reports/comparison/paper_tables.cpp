@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "libtrack/file.h"
+#include "reports/comparison/quantities.h"
 #include "reports/comparison/words.h"
 #include "reports/write/number.h"
 #include "reports/write/text_table.h"
@@ -26,11 +27,11 @@ struct Columns {
 
 std::vector<Columns> by_lag(const Comparison& c) {
   std::vector<Columns> out;
-  for (std::size_t first = 0; first < c.columns.size(); first += out.size() == 1 ? kMetrics : kMotionMetrics) {
-    const int lag = c.columns[first].lag;
-    const bool several = c.columns.size() > kMetrics;
+  for (std::size_t first = 0; first < c.recording.columns.size(); first += out.size() == 1 ? kMetrics : kMotionMetrics) {
+    const int lag = c.recording.columns[first].lag;
+    const bool several = c.recording.columns.size() > kMetrics;
     out.push_back({first == 0 ? "" : fmt::format("_lag{}", lag), several ? fmt::format("Motion at {}. ", lag_name(c, lag)) : "", {}});
-    const std::size_t count = std::min(first == 0 ? kMetrics : kMotionMetrics, c.columns.size() - first);
+    const std::size_t count = std::min(first == 0 ? kMetrics : kMotionMetrics, c.recording.columns.size() - first);
     for (std::size_t m = first; m < first + count; ++m) out.back().of.push_back(m);
   }
   return out;
@@ -38,7 +39,7 @@ std::vector<Columns> by_lag(const Comparison& c) {
 
 Row metric_head(const Comparison& c, const Columns& columns, Row head) {
   for (const std::size_t m : columns.of)
-    head.push_back(counts(c, m) ? marked(c, m, c.columns[m].symbol()) : c.columns[m].symbol() + " (not scored)");
+    head.push_back(counts(c, m) ? marked(c, m, c.recording.columns[m].symbol()) : c.recording.columns[m].symbol() + " (not scored)");
   return head;
 }
 
@@ -61,31 +62,23 @@ PaperTable ranking(const Comparison& c) {
       "ranking",
       "Models by entropy-weighted score E (higher is better), with its 95 % interval over recordings as long as this one, the group "
       "(models with the same letter cannot be told apart; model confidence set, 95 %), the goodness-of-fit p, and the skill. ",
-      {"model", "rank", "score", "95 %", "group", "fit p", "skill"},
+      {"model"},
       {}};
+  const auto columns = ranking_columns(c, Reader::page);
+  for (const Quantity* q : columns) t.head.emplace_back(q->head);
   if (const std::string skill = what_skill_means(c); !skill.empty()) t.caption += "Skill: " + skill + ' ';
-  if (c.hold_out.used) {
-    t.caption += in_print(what_held_out_means(c)) + ' ';
-    t.head.insert(t.head.end(), {"held out", "gap"});
-  }
+  if (c.recording.hold_out.used) t.caption += in_print(what_held_out_means(c)) + ' ';
   t.caption += origin(c);
-  t.head.emplace_back("candidates");
-  for (const FitResult& r : c.models) {
-    Row row = {r.model,
-               rank_text(r.rank),
-               in_print(fixed(r.score, 3)),
-               in_print(score_interval(r)),
-               group_letter(r),
-               fixed(r.certainty.goodness_p, 2),
-               in_print(with_error(r.skill.value, r.skill.se, 2))};
-    if (c.hold_out.used) row.insert(row.end(), {in_print(held_out_score(r)), in_print(fixed(r.score - r.held_out.score, 3))});
-    row.push_back(counted(r.evaluations));
+  for (const ModelFit& r : c.models) {
+    Row row = {r.model};
+    for (const Quantity* q : columns) row.push_back(in_print(q->print(r, Reader::page)));
     t.rows.push_back(std::move(row));
   }
-  if (std::isfinite(c.skill.walker.value)) {
-    t.rows.push_back({std::string(kWalk), kUndefined, kUndefined, kUndefined, "", kUndefined});
-    t.rows.back().push_back(in_print(with_error(c.skill.walker.value, c.skill.walker.se, 2)));
-    t.rows.back().resize(t.head.size(), kUndefined);
+  const Estimate& walker = c.recording.skill.walker;
+  if (std::isfinite(walker.value)) {
+    Row row = {std::string(kWalk)};
+    for (const Quantity* q : columns) row.push_back(q->key == "skill" ? in_print(with_error(walker.value, walker.se, 2)) : kUndefined);
+    t.rows.push_back(std::move(row));
   }
   return t;
 }
@@ -95,9 +88,11 @@ PaperTable scales(const Comparison& c) {
       "scales",
       "Extent (root-mean-square radius), nearest-neighbour distance (NND) and mean speed of the recorded and the simulated groups. " +
           origin(c),
-      {"model", fmt::format("extent [{}]", c.data.unit), fmt::format("NND [{}]", c.data.unit), fmt::format("speed [{}/s]", c.data.unit)},
-      {{"recording", rounded(c.data.extent), rounded(c.data.spacing), rounded(c.data.speed)}}};
-  for (const FitResult& r : c.models) t.rows.push_back({r.model, rounded(r.extent), rounded(r.spacing), rounded(r.speed)});
+      {"model", fmt::format("extent [{}]", c.recording.data.unit), fmt::format("NND [{}]", c.recording.data.unit),
+       fmt::format("speed [{}/s]", c.recording.data.unit)},
+      {{"recording", rounded(c.recording.data.extent), rounded(c.recording.data.spacing), rounded(c.recording.data.speed)}}};
+  for (const ModelFit& r : c.models)
+    t.rows.push_back({r.model, rounded(r.likeness.extent), rounded(r.likeness.spacing), rounded(r.likeness.speed)});
   return t;
 }
 
@@ -108,11 +103,12 @@ PaperTable energies(const Comparison& c, const Columns& columns) {
                    origin(c),
                metric_head(c, columns, {"model"}),
                {}};
-  for (const FitResult& r : c.models)
-    t.rows.push_back(metric_row(columns, r.model, [&](std::size_t m) { return with_error(r.raw_energies[m], r.raw_se[m], 3); }));
-  t.rows.push_back(metric_row(columns, "p1", [&](std::size_t m) { return fixed(c.p1[m], 4); }));
-  t.rows.push_back(metric_row(columns, "p2", [&](std::size_t m) { return fixed(c.p2[m], 4); }));
-  t.rows.push_back(metric_row(columns, "weight", [&](std::size_t m) { return counts(c, m) ? fixed(c.weights[m], 4) : kUndefined; }));
+  for (const ModelFit& r : c.models)
+    t.rows.push_back(metric_row(columns, r.model, [&](std::size_t m) { return with_error(r.runs.raw_energies[m], r.runs.raw_se[m], 3); }));
+  t.rows.push_back(metric_row(columns, "p1", [&](std::size_t m) { return fixed(c.ranking.p1[m], 4); }));
+  t.rows.push_back(metric_row(columns, "p2", [&](std::size_t m) { return fixed(c.ranking.p2[m], 4); }));
+  t.rows.push_back(
+      metric_row(columns, "weight", [&](std::size_t m) { return counts(c, m) ? fixed(c.ranking.weights[m], 4) : kUndefined; }));
   return t;
 }
 
@@ -122,14 +118,14 @@ PaperTable weights(const Comparison& c, const Columns& columns) {
       "Entropy weights of the metrics, by pass of the calibration; the last row is used. " + lag_weights(c) + columns.title + origin(c),
       metric_head(c, columns, {"pass"}),
       {}};
-  for (const WeightStep& s : c.weight_history)
+  for (const WeightStep& s : c.ranking.weight_history)
     t.rows.push_back(metric_row(columns, std::to_string(s.pass), [&](std::size_t m) { return fixed(s.weights[m], 4); }));
-  t.rows.push_back(metric_row(columns, "final", [&](std::size_t m) { return fixed(c.weights[m], 4); }));
+  t.rows.push_back(metric_row(columns, "final", [&](std::size_t m) { return fixed(c.ranking.weights[m], 4); }));
   return t;
 }
 
 PaperTable parameters(const Comparison& c) {
-  const bool posterior = std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return r.posterior.simulations > 0; });
+  const bool posterior = std::any_of(c.models.begin(), c.models.end(), [](const ModelFit& r) { return r.posterior.simulations > 0; });
   PaperTable t{"parameters",
                fmt::format("Fitted parameters in physical units; * ended on a bound of the search.{} ",
                            posterior ? " 95 %: central interval of the posterior." : "") +
@@ -137,7 +133,7 @@ PaperTable parameters(const Comparison& c) {
                {"model", "parameter", "value", "95 %", "unit", "lower", "upper"},
                {},
                "llrrlrr"};
-  for (const FitResult& r : c.models)
+  for (const ModelFit& r : c.models)
     for (const ParameterResult& p : r.parameters)
       if (p.fitted)
         t.rows.push_back({r.model, p.name, in_print(rounded(p.value, 4)) + (p.at_bound ? " *" : ""), in_print(interval_text(p.posterior)),
@@ -151,12 +147,12 @@ PaperTable sensitivity(const Comparison& c, const Columns& columns) {
                    columns.title + origin(c),
                metric_head(c, columns, {"model", "all"}),
                {}};
-  for (const FitResult& r : c.models) {
+  for (const ModelFit& r : c.models) {
     Row row = metric_row(columns, r.model, [&](std::size_t m) {
-      const Sensitivity& s = r.sensitivity;
+      const Sensitivity& s = r.standing.sensitivity;
       return std::isfinite(s.without[m]) ? fmt::format("{} ({})", in_print(fixed(s.without[m], 3)), s.rank_without[m]) : kUndefined;
     });
-    row.insert(row.begin() + 1, fmt::format("{} ({})", in_print(fixed(r.score, 3)), rank_text(r.rank)));
+    row.insert(row.begin() + 1, fmt::format("{} ({})", in_print(fixed(r.standing.score, 3)), rank_text(r.standing.rank)));
     t.rows.push_back(std::move(row));
   }
   return t;

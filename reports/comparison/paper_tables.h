@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "reports/write/list_text.h"
 #include "reports/write/paper_text.h"
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "reports/comparison/quantities.h"
 #include "reports/comparison/words.h"
 #include "reports/draw/sparkline.h"
 #include "reports/write/number.h"
@@ -25,49 +26,55 @@ std::string data_line(const DataFacts& d) {
                      brief(d.dt), brief(d.individuals_per_frame, 3));
 }
 
-std::string rank_and_group(const FitResult& r) { return r.rank > 0 ? fmt::format("{} {}", r.rank, group_letter(r)) : kUndefined; }
-
-Paint paint_of(const FitResult& r) { return r.rank == 1 ? Paint::good : Paint::plain; }
+Paint paint_of(const ModelFit& r) { return r.standing.rank == 1 ? Paint::good : Paint::plain; }
 
 TextTable ranking_table(const Comparison& c, TextStyle style) {
-  std::vector<std::string> head = {"rank", "model", "score", "95 %", "fit p", "skill"};
-  if (c.hold_out.used) head.insert(head.end(), {"held out", "gap"});
-  std::vector<Align> align(head.size(), Align::right);
+  const auto columns = ranking_columns(c, Reader::terminal);
+  const auto row = [](const std::string& first, const std::string& model, const auto& rest) {
+    std::vector<std::string> cells = {first, model};
+    for (std::size_t k = 1; k < rest.size(); ++k) cells.push_back(rest[k]);
+    return cells;
+  };
+  const auto cells_of = [&](auto text) {
+    std::vector<std::string> out;
+    for (const Quantity* q : columns) out.push_back(text(*q));
+    return out;
+  };
+  std::vector<Align> align(columns.size() + 1, Align::right);
   align[1] = Align::left;
   TextTable table(align, style);
-  table.row(head, Paint::bold);
-  for (const FitResult& r : c.models) {
-    std::vector<std::string> cells = {rank_and_group(r),
-                                      r.model + (at_bounds(r).empty() ? "" : " *"),
-                                      fixed(r.score, 3),
-                                      score_interval(r),
-                                      fixed(r.certainty.goodness_p, 2),
-                                      fixed(r.skill.value, 2)};
-    if (c.hold_out.used) cells.insert(cells.end(), {held_out_score(r), fixed(r.score - r.held_out.score, 3)});
-    table.row(cells, paint_of(r));
+  const auto heads = cells_of([](const Quantity& q) { return std::string(q.head); });
+  table.row(row(heads.front(), "model", heads), Paint::bold);
+  for (const ModelFit& r : c.models) {
+    const auto cells = cells_of([&](const Quantity& q) { return q.print(r, Reader::terminal); });
+    table.row(row(cells.front(), r.model + (at_bounds(r).empty() ? "" : " *"), cells), paint_of(r));
   }
-  if (std::isfinite(c.skill.walker.value)) table.row({"", std::string(kWalk), "", "", "", fixed(c.skill.walker.value, 2)}, Paint::dim);
+  const Estimate& walker = c.recording.skill.walker;
+  if (std::isfinite(walker.value))
+    table.row(row("", std::string(kWalk), cells_of([&](const Quantity& q) { return q.key == "skill" ? fixed(walker.value, 2) : ""; })),
+              Paint::dim);
   return table;
 }
 
 // The columns of one lag; d and eta, which have none, beside those of the first.
 TextTable energy_table(const Comparison& c, std::size_t first, TextStyle style) {
-  const std::size_t count = std::min(first == 0 ? kMetrics : kMotionMetrics, c.columns.size() - first);
+  const std::size_t count = std::min(first == 0 ? kMetrics : kMotionMetrics, c.recording.columns.size() - first);
   std::vector<Align> align(count + 1, Align::right);
   align.front() = Align::left;
   TextTable table(align, style);
-  const int lag = c.columns[first].lag;
-  const bool several = c.columns.size() > kMetrics;
-  std::vector<std::string> head = {several ? fmt::format("raw energy at lag {}, {} s", lag, brief(lag * c.data.dt)) : "raw energy"};
+  const int lag = c.recording.columns[first].lag;
+  const bool several = c.recording.columns.size() > kMetrics;
+  std::vector<std::string> head = {several ? fmt::format("raw energy at lag {}, {} s", lag, brief(lag * c.recording.data.dt))
+                                           : "raw energy"};
   std::vector<std::string> weights = {"weight in score"};
   for (std::size_t m = first; m < first + count; ++m) {
-    head.push_back(marked(c, m, symbol_of(c.columns[m], style)));
-    weights.push_back(counts(c, m) ? fixed(c.weights[m], 2) : kUndefined);
+    head.push_back(marked(c, m, symbol_of(c.recording.columns[m], style)));
+    weights.push_back(counts(c, m) ? fixed(c.ranking.weights[m], 2) : kUndefined);
   }
   table.row(head, Paint::bold);
-  for (const FitResult& r : c.models) {
+  for (const ModelFit& r : c.models) {
     std::vector<std::string> cells = {r.model};
-    for (std::size_t m = first; m < first + count; ++m) cells.push_back(fixed(r.raw_energies[m], 2));
+    for (std::size_t m = first; m < first + count; ++m) cells.push_back(fixed(r.runs.raw_energies[m], 2));
     table.row(cells, paint_of(r));
   }
   table.row(weights, Paint::dim);
@@ -76,15 +83,17 @@ TextTable energy_table(const Comparison& c, std::size_t first, TextStyle style) 
 
 std::string energy_tables(const Comparison& c, TextStyle style) {
   std::string out;
-  for (std::size_t first = 0; first < c.columns.size(); first += first == 0 ? kMetrics : kMotionMetrics)
+  for (std::size_t first = 0; first < c.recording.columns.size(); first += first == 0 ? kMetrics : kMotionMetrics)
     out += '\n' + energy_table(c, first, style).text();
   return out;
 }
 
 std::vector<std::string> left_out(const Comparison& c, TextStyle style) {
   std::vector<std::string> out;
-  for (std::size_t m = 0; m < c.columns.size(); ++m)
-    if (!counts(c, m)) out.push_back(fmt::format("({}) {}: {}", symbol_of(c.columns[m], style), c.columns[m].name(), why_left_out(c, m)));
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+    if (!counts(c, m))
+      out.push_back(
+          fmt::format("({}) {}: {}", symbol_of(c.recording.columns[m], style), c.recording.columns[m].name(), why_left_out(c, m)));
   return out;
 }
 
@@ -104,17 +113,17 @@ std::vector<Shown> shown_of_panel(const Comparison& c) {
                                                             {"nearest_ratio", "d/Poisson"},
                                                             {"kurtosis", "kurtosis a"}};
   std::vector<Shown> out;
-  for (std::size_t k = 0; k < c.panel.items.size(); ++k) {
-    const std::string& key = c.panel.items[k].key;
+  for (std::size_t k = 0; k < c.recording.panel.items.size(); ++k) {
+    const std::string& key = c.recording.panel.items[k].key;
     if (const auto at = titles.find(key); at != titles.end()) out.push_back({k, std::string(at->second), false});
-    if (key.starts_with(kGroup)) out.push_back({k, fmt::format("drift [{}]", c.data.unit), true});
+    if (key.starts_with(kGroup)) out.push_back({k, fmt::format("drift [{}]", c.recording.data.unit), true});
   }
   return out;
 }
 
 // A few of the observables that were not fitted, the recording in the first row.
 std::string panel_text(const Comparison& c, TextStyle style) {
-  if (c.panel.recording.empty()) return {};
+  if (c.recording.panel.recording.empty()) return {};
   const auto shown = shown_of_panel(c);
   std::vector<Align> align(shown.size() + 1, Align::right);
   align.front() = Align::left;
@@ -130,15 +139,15 @@ std::string panel_text(const Comparison& c, TextStyle style) {
     }
     table.row(cells, paint);
   };
-  row("recording", c.panel.recording, Paint::plain);
-  for (const FitResult& r : c.models) row(r.model, r.panel, r.rank == 1 ? Paint::good : Paint::plain);
+  row("recording", c.recording.panel.recording, Paint::plain);
+  for (const ModelFit& r : c.models) row(r.model, r.likeness.panel, r.standing.rank == 1 ? Paint::good : Paint::plain);
   return '\n' + table.text();
 }
 
 // What the recording says about the parameters of every model that has a posterior.
 std::string posterior_text(const Comparison& c, TextStyle style) {
   std::string out;
-  for (const FitResult& r : c.models) {
+  for (const ModelFit& r : c.models) {
     if (r.posterior.simulations == 0) continue;
     TextTable table({Align::left, Align::right, Align::right, Align::right, Align::left, Align::left, Align::left}, style);
     table.row({r.model, "best", "median", "95 %", "unit", "verdict", "goes with"}, Paint::bold);
@@ -154,21 +163,25 @@ std::string posterior_text(const Comparison& c, TextStyle style) {
 }
 
 std::string shapes_of(const Comparison& c, TextStyle style) {
-  Shapes s{{{"recording", &c.recording}}, c.columns, c.axis_lower, c.axis_width, c.data.unit};
-  for (const FitResult& r : c.models) s.rows.push_back({r.model, &r.distributions, paint_of(r)});
+  Shapes s{{{"recording", &c.recording.distributions}},
+           c.recording.columns,
+           c.recording.axis_lower,
+           c.recording.axis_width,
+           c.recording.data.unit};
+  for (const ModelFit& r : c.models) s.rows.push_back({r.model, &r.runs.distributions, paint_of(r)});
   const std::string text = shapes_text(s, 0, "distribution", style);
-  return text.empty() ? text : '\n' + text + paragraph(what_shapes_mean(c.binning), " ");
+  return text.empty() ? text : '\n' + text + paragraph(what_shapes_mean(c.recording.binning), " ");
 }
 
 bool any_on_bounds(const Comparison& c) {
-  return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return !at_bounds(r).empty(); });
+  return std::any_of(c.models.begin(), c.models.end(), [](const ModelFit& r) { return !at_bounds(r).empty(); });
 }
 
 std::vector<std::string> failures(const Comparison& c) {
   std::vector<std::string> out;
-  for (const FitResult& r : c.models)
-    if (r.failed_simulations > 0)
-      out.push_back(fmt::format("{}: {} of {} simulations", r.model, counted(r.failed_simulations), counted(r.simulations)));
+  for (const ModelFit& r : c.models)
+    if (r.search.failed_simulations > 0)
+      out.push_back(fmt::format("{}: {} of {} simulations", r.model, counted(r.search.failed_simulations), counted(r.search.simulations)));
   return out;
 }
 
@@ -176,14 +189,14 @@ std::vector<std::string> failures(const Comparison& c) {
 
 std::string ranking_text(const Comparison& c, TextStyle style) {
   const Headline answer = headline(c);
-  std::string out = paragraph(data_line(c.data)) + '\n';
+  std::string out = paragraph(data_line(c.recording.data)) + '\n';
   out += paint(wrapped(printable(answer.sentence), kTextWidth), Paint::bold, style) + '\n';
   out += paragraph(answer.detail) + '\n';
 
   out += ranking_table(c, style).text();
   if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
   if (const std::string ranks = what_ranks_mean(c); !ranks.empty()) out += paragraph(ranks, " ");
-  if (c.hold_out.used) out += paragraph(what_held_out_means(c), " ");
+  if (c.recording.hold_out.used) out += paragraph(what_held_out_means(c), " ");
   if (const std::string skill = what_skill_means(c); !skill.empty()) out += paragraph("skill: " + skill, " ");
   if (const std::string fixed = kept_fixed(c); !fixed.empty()) out += paragraph("kept fixed: " + fixed, " ");
   out += paragraph("steps per frame: " + steps_taken(c), " ");

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "libeval/evaluation.h"
 #include "reports/write/text_table.h"
 

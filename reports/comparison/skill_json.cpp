@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 template <class T>
 Json per_column(const Comparison& c, const PerColumn<T>& values) {
   Json out = Json::object();
-  for (std::size_t j = 0; j < c.columns.size(); ++j) out[c.columns[j].key()] = values[j];
+  for (std::size_t j = 0; j < c.recording.columns.size(); ++j) out[c.recording.columns[j].key()] = values[j];
   return out;
 }
 
@@ -32,9 +32,9 @@ Json curve(const std::vector<Estimate>& values) {
 
 const char* name(SkillNull null) { return null == SkillNull::steps ? "steps" : null == SkillNull::places ? "places" : nullptr; }
 
-Json refuted_by(const FitResult& r, const std::string& length_unit) {
+Json refuted_by(const ModelFit& r, const std::string& length_unit) {
   Json out = Json::array();
-  for (const Refutation& f : r.refuted_by)
+  for (const Refutation& f : r.likeness.refuted_by)
     out.push_back({{"key", f.item.key},
                    {"name", f.item.name},
                    {"unit", panel_unit(f.item, length_unit)},
@@ -45,7 +45,7 @@ Json refuted_by(const FitResult& r, const std::string& length_unit) {
 
 Json leave_one_out(const Comparison& c) {
   Json out = Json::array();
-  for (const LeftOut& w : c.without) {
+  for (const LeftOut& w : c.ranking.without) {
     Json ranking = Json::array();
     for (const auto& [model, score] : w.ranking) ranking.push_back({{"name", model}, {"score", score}});
     out.push_back({{"without", w.model},
@@ -60,7 +60,7 @@ Json leave_one_out(const Comparison& c) {
 }  // namespace
 
 void add_skill(Json& top, const Comparison& c) {
-  const SkillFacts& s = c.skill;
+  const SkillFacts& s = c.recording.skill;
   top["floor"] = per_column(c, s.floor);
   top["floor_sd"] = per_column(c, s.floor_sd);
   top["null"] = per_column(c, s.null);
@@ -71,27 +71,24 @@ void add_skill(Json& top, const Comparison& c) {
                         {"null", s.mean_null},
                         {"null_of", name(s.null_of) ? Json(name(s.null_of)) : Json()},
                         {"used", per_column(c, s.used)}};
-  top["random_walk"] = {{"skill", s.walker.value}, {"skill_se", s.walker.se}, {"suffices", s.walk_suffices}};
+  top["random_walk"] = {{"skill", s.walker.value}, {"skill_se", s.walker.se}, {"suffices", c.ranking.walk_suffices}};
   top["memory"] = {{"p", s.memory_p}, {"surrogates", s.surrogates}};
   top["interaction"] = {{"p", {{"d", s.interaction_p[0]}, {"eta", s.interaction_p[1]}}}, {"surrogates", s.surrogates}};
   top["leave_one_out"] = leave_one_out(c);
   Json units = Json::object();
-  for (const PanelItem& item : c.panel.items) units[item.key] = {{"name", item.name}, {"unit", panel_unit(item, c.data.unit)}};
+  for (const PanelItem& item : c.recording.panel.items)
+    units[item.key] = {{"name", item.name}, {"unit", panel_unit(item, c.recording.data.unit)}};
   top["observables"] = {{"items", std::move(units)},
-                        {"recording", observables(c.panel, c.panel.recording)},
-                        {"vacf_lags", c.panel.lags},
-                        {"vacf", curve(c.panel.recording_vacf)}};
+                        {"recording", observables(c.recording.panel, c.recording.panel.recording)},
+                        {"vacf_lags", c.recording.panel.lags},
+                        {"vacf", curve(c.recording.panel.recording_vacf)}};
 }
 
-void add_skill(Json& model, const FitResult& r, const Comparison& c) {
-  model["skill"] = r.skill.value;
-  model["skill_se"] = r.skill.se;
-  model["skill_ci"] = {r.skill.value - 1.96 * r.skill.se, r.skill.value + 1.96 * r.skill.se};
-  model["total_variation"] = per_column(c, r.total_variation);
-  model["wasserstein"] = per_column(c, r.wasserstein);
-  model["refuted_by"] = refuted_by(r, c.data.unit);
-  model["observables"] = observables(c.panel, r.panel);
-  model["vacf"] = curve(r.vacf);
+void add_skill(Json& model, const ModelFit& r, const Comparison& c) {
+  model["skill_ci"] = {r.likeness.skill.value - 1.96 * r.likeness.skill.se, r.likeness.skill.value + 1.96 * r.likeness.skill.se};
+  model["refuted_by"] = refuted_by(r, c.recording.data.unit);
+  model["observables"] = observables(c.recording.panel, r.likeness.panel);
+  model["vacf"] = curve(r.likeness.vacf);
 }
 
 }  // namespace swarmfit

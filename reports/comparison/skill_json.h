@@ -4,13 +4,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 
 // Adds floor, null, places, skill_scale, random_walk, memory, interaction, leave_one_out and observables to the top of a comparison.
 void add_skill(nlohmann::ordered_json& top, const Comparison&);
 // Adds skill, total_variation, wasserstein, refuted_by, observables and vacf to a model.
-void add_skill(nlohmann::ordered_json& model, const FitResult&, const Comparison&);
+void add_skill(nlohmann::ordered_json& model, const ModelFit&, const Comparison&);
 
 }  // namespace swarmfit

@@ -31,13 +31,17 @@ class Line {
 
 std::string skill(const Comparison& c) {
   std::string out = "model,metric,in_skill,total_variation,wasserstein,floor,floor_sd,null,places,informative,skill,skill_se\n";
-  const SkillFacts& s = c.skill;
-  for (const FitResult& r : c.models) {
+  const SkillFacts& s = c.recording.skill;
+  for (const ModelFit& r : c.models) {
     double mean = 0, number = 0;
-    for (std::size_t m = 0; m < c.columns.size(); ++m) {
-      if (s.used[m]) mean += r.total_variation[m], ++number;
+    for (std::size_t m = 0; m < c.recording.columns.size(); ++m) {
+      if (s.used[m]) mean += r.likeness.total_variation[m], ++number;
       Line line;
-      line.add(r.model).add(c.columns[m].key()).add(s.used[m] ? "true" : "false").add(r.total_variation[m]).add(r.wasserstein[m]);
+      line.add(r.model)
+          .add(c.recording.columns[m].key())
+          .add(s.used[m] ? "true" : "false")
+          .add(r.likeness.total_variation[m])
+          .add(r.likeness.wasserstein[m]);
       line.add(s.floor[m]).add(s.floor_sd[m]).add(s.null[m]).add(s.places[m]);
       line.add(s.informative[m] ? "true" : "false").add("").add("");
       out += line.end();
@@ -45,7 +49,7 @@ std::string skill(const Comparison& c) {
     Line all;
     const bool places = s.null_of == SkillNull::places;
     all.add(r.model).add("all").add("").add(mean / number).add("").add(s.mean_floor).add(s.mean_floor_sd);
-    all.add(places ? NAN : s.mean_null).add(places ? s.mean_null : NAN).add("").add(r.skill);
+    all.add(places ? NAN : s.mean_null).add(places ? s.mean_null : NAN).add("").add(r.likeness.skill);
     out += all.end();
   }
   return out;
@@ -53,7 +57,7 @@ std::string skill(const Comparison& c) {
 
 std::string leave_one_out(const Comparison& c) {
   std::string out = "without,rank,model,score,reordered\n";
-  for (const LeftOut& w : c.without) {
+  for (const LeftOut& w : c.ranking.without) {
     int rank = 0;
     for (const auto& [model, score] : w.ranking)
       out += Line().add(w.model).add(std::to_string(++rank)).add(model).add(score).add(w.reordered ? "true" : "false").end();
@@ -63,27 +67,27 @@ std::string leave_one_out(const Comparison& c) {
 
 void panel_rows(std::string& out, const Comparison& c, const std::string& of, const std::vector<Estimate>& values) {
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const PanelItem& item = c.panel.items[k];
-    out += Line().add(of).add(item.key).add(panel_unit(item, c.data.unit)).add(values[k]).end();
+    const PanelItem& item = c.recording.panel.items[k];
+    out += Line().add(of).add(item.key).add(panel_unit(item, c.recording.data.unit)).add(values[k]).end();
   }
 }
 
 std::string panel(const Comparison& c) {
   std::string out = "of,observable,unit,value,se\n";
-  panel_rows(out, c, "recording", c.panel.recording);
-  for (const FitResult& r : c.models) panel_rows(out, c, r.model, r.panel);
+  panel_rows(out, c, "recording", c.recording.panel.recording);
+  for (const ModelFit& r : c.models) panel_rows(out, c, r.model, r.likeness.panel);
   return out;
 }
 
 std::string vacf(const Comparison& c) {
   Line head;
   head.add("lag_s").add("recording").add("recording_se");
-  for (const FitResult& r : c.models) head.add(r.model).add(r.model + " se");
+  for (const ModelFit& r : c.models) head.add(r.model).add(r.model + " se");
   std::string out = head.end();
-  for (std::size_t k = 0; k < c.panel.lags.size(); ++k) {
+  for (std::size_t k = 0; k < c.recording.panel.lags.size(); ++k) {
     Line line;
-    line.add(exact(c.panel.lags[k])).add(c.panel.recording_vacf[k]);
-    for (const FitResult& r : c.models) line.add(r.vacf[k]);
+    line.add(exact(c.recording.panel.lags[k])).add(c.recording.panel.recording_vacf[k]);
+    for (const ModelFit& r : c.models) line.add(r.likeness.vacf[k]);
     out += line.end();
   }
   return out;

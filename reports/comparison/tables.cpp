@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/comparison/tables.h"
 
+#include "reports/comparison/quantities.h"
 #include "reports/comparison/skill_tables.h"
 #include "reports/comparison/words.h"
 #include "reports/write/number.h"
@@ -44,76 +45,76 @@ Csv with_header(std::initializer_list<std::string_view> names) {
 
 std::string rank_text(int rank) { return rank > 0 ? std::to_string(rank) : std::string(); }
 
+// "held_out.lead_ci" is in two columns, held_out_lead_lower and held_out_lead_upper.
+std::vector<std::string> table_keys(const Quantity& q, const Value& value) {
+  std::string key(q.key);
+  std::replace(key.begin(), key.end(), '.', '_');
+  if (!std::holds_alternative<Interval>(value)) return {key};
+  key.resize(key.size() - std::string_view("_ci").size());
+  return {key + "_lower", key + "_upper"};
+}
+
+void add(Csv& csv, const Value& value) {
+  std::visit(
+      [&](const auto& v) {
+        using T = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<T, Interval>)
+          csv.field(v.first).field(v.second);
+        else if constexpr (std::is_same_v<T, std::optional<int>>)
+          csv.field(v ? std::to_string(*v) : std::string());
+        else if constexpr (std::is_same_v<T, bool>)
+          csv.field(v ? "true" : "false");
+        else
+          csv.field(v);
+      },
+      value);
+}
+
+// Held-out columns stand there where nothing is held out, too, so that tables of several comparisons can be put together.
 std::string ranking(const Comparison& c) {
-  Csv csv = with_header({"rank",
-                         "model",
-                         "score",
-                         "score_se",
-                         "score_lower",
-                         "score_upper",
-                         "lead_lower",
-                         "lead_upper",
-                         "group",
-                         "set_p",
-                         "gof_p",
-                         "held_out_score",
-                         "held_out_lead_lower",
-                         "held_out_lead_upper",
-                         "held_out_group",
-                         "evaluations",
-                         "simulations",
-                         "failed_simulations",
-                         "failed_final",
-                         "n_sub",
-                         "infeasible_avoidance",
-                         "stop_reason"});
-  for (const FitResult& r : c.models) {
-    csv.field(rank_text(r.rank)).field(r.model).field(r.score).field(r.score_se);
-    csv.field(r.certainty.lower)
-        .field(r.certainty.upper)
-        .field(r.certainty.lead_lower)
-        .field(r.certainty.lead_upper)
-        .field(rank_text(r.certainty.group))
-        .field(r.certainty.set_p);
-    csv.field(r.certainty.goodness_p).field(r.held_out.score);
-    csv.field(r.held_out.certainty.lead_lower)
-        .field(r.held_out.certainty.lead_upper)
-        .field(rank_text(r.held_out.certainty.group))
-        .field(r.evaluations)
-        .field(r.simulations);
-    csv.field(r.failed_simulations).field(r.failed_final).field(std::int64_t{r.steps}).field(r.infeasible_avoidance);
-    csv.field(r.stop_reason).end();
+  Csv csv;
+  for (const Quantity& q : quantities()) {
+    for (const std::string& key : table_keys(q, q.of(ModelFit{}))) csv.field(key);
+    if (&q == &quantities().front()) csv.field("model");
+  }
+  csv.end();
+  for (const ModelFit& r : c.models) {
+    for (const Quantity& q : quantities()) {
+      if (known(q, c))
+        add(csv, q.of(r));
+      else
+        for (std::size_t k = table_keys(q, q.of(r)).size(); k > 0; --k) csv.field("");
+      if (&q == &quantities().front()) csv.field(r.model);
+    }
+    csv.end();
   }
   return csv.take();
 }
 
 std::string energies(const Comparison& c) {
-  Csv csv =
-      with_header({"model", "metric", "raw", "raw_se", "own", "normalised", "half_step", "mean_ratio", "sd_ratio", "outside_fraction"});
-  for (const FitResult& r : c.models) {
-    for (std::size_t m = 0; m < c.columns.size(); ++m) {
-      csv.field(r.model)
-          .field(c.columns[m].key())
-          .field(r.raw_energies[m])
-          .field(r.raw_se[m])
-          .field(r.certainty.own[m])
-          .field(r.energies[m]);
-      csv.field(r.half_step_energies[m]).field(r.mean_ratio[m]).field(r.sd_ratio[m]).field(r.outside_fraction[m]).end();
+  Csv csv;
+  csv.fields({"model", "metric"});
+  for (const ColumnQuantity& q : column_quantities()) csv.field(q.table);
+  csv.end();
+  for (const ModelFit& r : c.models)
+    for (std::size_t m = 0; m < c.recording.columns.size(); ++m) {
+      csv.field(r.model).field(c.recording.columns[m].key());
+      for (const ColumnQuantity& q : column_quantities()) csv.field(q.of(r)[m]);
+      csv.end();
     }
-  }
   return csv.take();
 }
 
 std::string raw_energies(const Comparison& c) {
   Csv csv;
   csv.field("model");
-  for (std::size_t m = 0; m < c.columns.size(); ++m)
-    if (counts(c, m)) csv.field(c.columns[m].key());
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+    if (counts(c, m)) csv.field(c.recording.columns[m].key());
   csv.end();
-  for (const FitResult& r : c.models) {
+  for (const ModelFit& r : c.models) {
     csv.field(r.model);
-    for (std::size_t m = 0; m < c.columns.size(); ++m)
-      if (counts(c, m)) csv.field(r.raw_energies[m]);
+    for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+      if (counts(c, m)) csv.field(r.runs.raw_energies[m]);
     csv.end();
   }
   return csv.take();
@@ -121,25 +122,31 @@ std::string raw_energies(const Comparison& c) {
 
 std::string weights(const Comparison& c) {
   Csv csv = with_header({"pass", "metric", "weight", "p1", "p2", "largest_change"});
-  for (const WeightStep& s : c.weight_history)
-    for (std::size_t m = 0; m < c.columns.size(); ++m)
+  for (const WeightStep& s : c.ranking.weight_history)
+    for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
       csv.field(std::int64_t{s.pass})
-          .field(c.columns[m].key())
+          .field(c.recording.columns[m].key())
           .field(s.weights[m])
           .field(s.p1[m])
           .field(s.p2[m])
           .field(s.largest_change)
           .end();
-  for (std::size_t m = 0; m < c.columns.size(); ++m)
-    csv.field("final").field(c.columns[m].key()).field(c.weights[m]).field(c.p1[m]).field(c.p2[m]).field("").end();
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+    csv.field("final")
+        .field(c.recording.columns[m].key())
+        .field(c.ranking.weights[m])
+        .field(c.ranking.p1[m])
+        .field(c.ranking.p2[m])
+        .field("")
+        .end();
   return csv.take();
 }
 
 std::string lags(const Comparison& c) {
   Csv csv = with_header({"lag", "seconds", "columns_scored", "weight", "largest_error_share"});
-  for (const LagFacts& l : c.lags) {
+  for (const LagFacts& l : c.ranking.lags) {
     if (l.lag > 0)
-      csv.field(std::int64_t{l.lag}).field(l.lag * c.data.dt);
+      csv.field(std::int64_t{l.lag}).field(l.lag * c.recording.data.dt);
     else
       csv.field("none").field("");
     csv.field(std::int64_t{l.scored}).field(l.weight).field(l.error_share).end();
@@ -149,15 +156,15 @@ std::string lags(const Comparison& c) {
 
 std::string normalisation(const Comparison& c) {
   Csv csv = with_header({"metric", "p1", "p2", "resolution"});
-  for (std::size_t m = 0; m < c.columns.size(); ++m)
-    csv.field(c.columns[m].key()).field(c.p1[m]).field(c.p2[m]).field(c.resolution[m]).end();
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+    csv.field(c.recording.columns[m].key()).field(c.ranking.p1[m]).field(c.ranking.p2[m]).field(c.recording.resolution[m]).end();
   return csv.take();
 }
 
 std::string parameters(const Comparison& c) {
   Csv csv = with_header({"model", "parameter", "value", "unit", "lower", "upper", "fitted", "at_bound", "median", "ci_lower", "ci_upper",
                          "contraction", "verdict", "partner", "correlation", "meaning"});
-  for (const FitResult& r : c.models) {
+  for (const ModelFit& r : c.models) {
     for (const ParameterResult& p : r.parameters) {
       csv.field(r.model).field(p.name).field(p.value).field(p.unit).field(p.lower).field(p.upper);
       csv.field(p.fitted ? "true" : "false").field(p.at_bound ? "true" : "false");
@@ -172,7 +179,7 @@ std::string parameters(const Comparison& c) {
 // One row per point of a posterior's sample and parameter.
 std::string posterior(const Comparison& c) {
   Csv csv = with_header({"model", "point", "weight", "parameter", "value", "unit"});
-  for (const FitResult& r : c.models) {
+  for (const ModelFit& r : c.models) {
     std::vector<const ParameterResult*> searched;
     for (const ParameterResult& p : r.parameters)
       if (p.fitted) searched.push_back(&p);
@@ -190,16 +197,16 @@ std::string posterior(const Comparison& c) {
 }
 
 bool has_posterior(const Comparison& c) {
-  return std::any_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return r.posterior.simulations > 0; });
+  return std::any_of(c.models.begin(), c.models.end(), [](const ModelFit& r) { return r.posterior.simulations > 0; });
 }
 
 std::string sensitivity(const Comparison& c) {
   Csv csv = with_header({"model", "metric", "weight", "score", "score_without", "rank", "rank_without", "score_doubled"});
-  for (const FitResult& r : c.models) {
-    for (std::size_t m = 0; m < c.columns.size(); ++m) {
-      const Sensitivity& s = r.sensitivity;
-      csv.field(r.model).field(c.columns[m].key()).field(c.weights[m]).field(r.score).field(s.without[m]);
-      csv.field(rank_text(r.rank)).field(rank_text(s.rank_without[m])).field(s.doubled[m]).end();
+  for (const ModelFit& r : c.models) {
+    for (std::size_t m = 0; m < c.recording.columns.size(); ++m) {
+      const Sensitivity& s = r.standing.sensitivity;
+      csv.field(r.model).field(c.recording.columns[m].key()).field(c.ranking.weights[m]).field(r.standing.score).field(s.without[m]);
+      csv.field(rank_text(r.standing.rank)).field(rank_text(s.rank_without[m])).field(s.doubled[m]).end();
     }
   }
   return csv.take();
@@ -208,17 +215,17 @@ std::string sensitivity(const Comparison& c) {
 std::string pdfs(const Comparison& c) {
   Csv csv;
   csv.fields({"metric", "unit", "centre", "recording"});
-  for (const FitResult& r : c.models) csv.field(r.model);
+  for (const ModelFit& r : c.models) csv.field(r.model);
   csv.fields({"band_lower", "band_upper"}).end();
-  for (std::size_t m = 0; m < c.columns.size(); ++m) {
-    std::vector<std::vector<double>> columns = {physical_density(c.recording[m].histogram, c.axis_width[m])};
-    for (const FitResult& r : c.models) columns.push_back(physical_density(r.distributions[m].histogram, c.axis_width[m]));
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m) {
+    std::vector<std::vector<double>> columns = {physical_density(c.recording.distributions[m].histogram, c.recording.axis_width[m])};
+    for (const ModelFit& r : c.models) columns.push_back(physical_density(r.runs.distributions[m].histogram, c.recording.axis_width[m]));
     auto [lower, upper] = physical_band(c, m);
     columns.push_back(std::move(lower));
     columns.push_back(std::move(upper));
-    for (std::size_t bin = 0; bin < c.recording[m].histogram.counts.size(); ++bin) {
-      const double centre = c.axis_lower[m] + (static_cast<double>(bin) + 0.5) * c.axis_width[m];
-      csv.field(c.columns[m].key()).field(metric_unit(c.columns[m].metric, c.data.unit)).field(centre);
+    for (std::size_t bin = 0; bin < c.recording.distributions[m].histogram.counts.size(); ++bin) {
+      const double centre = c.recording.axis_lower[m] + (static_cast<double>(bin) + 0.5) * c.recording.axis_width[m];
+      csv.field(c.recording.columns[m].key()).field(metric_unit(c.recording.columns[m].metric, c.recording.data.unit)).field(centre);
       for (const auto& column : columns) csv.field(bin < column.size() ? exact(column[bin]) : std::string());
       csv.end();
     }
@@ -228,8 +235,9 @@ std::string pdfs(const Comparison& c) {
 
 std::string convergence(const Comparison& c) {
   Csv csv = with_header({"model", "pass", "evaluations", "best"});
-  for (const FitResult& r : c.models)
-    for (const ConvergencePoint& p : r.convergence) csv.field(r.model).field(std::int64_t{p.pass}).field(p.evaluations).field(p.best).end();
+  for (const ModelFit& r : c.models)
+    for (const ConvergencePoint& p : r.search.convergence)
+      csv.field(r.model).field(std::int64_t{p.pass}).field(p.evaluations).field(p.best).end();
   return csv.take();
 }
 
@@ -260,12 +268,12 @@ std::vector<double> physical_density(const Histogram& histogram, double width) {
 }
 
 std::pair<std::vector<double>, std::vector<double>> physical_band(const Comparison& c, std::size_t column) {
-  if (column >= c.band.lower.size()) return {};
+  if (column >= c.ranking.band.lower.size()) return {};
   const auto per_unit = [&](std::vector<double> shares) {
-    for (double& share : shares) share /= c.axis_width[column];
+    for (double& share : shares) share /= c.recording.axis_width[column];
     return shares;
   };
-  return {per_unit(c.band.lower[column]), per_unit(c.band.upper[column])};
+  return {per_unit(c.ranking.band.lower[column]), per_unit(c.ranking.band.upper[column])};
 }
 
 std::vector<NamedTable> result_tables(const Comparison& c) {
@@ -282,13 +290,13 @@ std::vector<NamedTable> result_tables(const Comparison& c) {
 std::string history_csv(const Comparison& c) {
   Csv csv;
   csv.fields({"model", "pass", "phase", "replicates", "failed"});
-  for (const Column& column : c.columns) csv.field(column.key());
+  for (const Column& column : c.recording.columns) csv.field(column.key());
   csv.field("parameters").end();
-  for (const HistoryRow& row : c.history) {
-    csv.field(c.named.at(row.model)).field(std::int64_t{row.pass}).field(row.phase).field(std::int64_t{row.replicates});
+  for (const HistoryRow& row : c.run.history) {
+    csv.field(c.run.named.at(row.model)).field(std::int64_t{row.pass}).field(row.phase).field(std::int64_t{row.replicates});
     csv.field(std::int64_t{row.failed});
     for (const double energy : row.raw) csv.field(energy);
-    csv.field(parameter_list(c.searched.at(row.model), row.x)).end();
+    csv.field(parameter_list(c.run.searched.at(row.model), row.x)).end();
   }
   return csv.take();
 }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 
@@ -17,8 +17,8 @@ struct NamedTable {
 };
 
 // The files of tables/ in a run directory; a metric at another lag than 1 is a metric of its own, "v@4":
-//   ranking.csv        one row per model: rank, score, its error, interval and group, goodness of fit, counts of runs, stop reason
-//   energies.csv       one row per model and metric: raw, its standard error, normalised, at half the time step, moment ratios
+//   ranking.csv        one row per model: every entry of quantities() (reports/comparison/quantities.h)
+//   energies.csv       one row per model and metric: every entry of column_quantities()
 //   raw_energies.csv   rows models, columns metrics that count in the score: what `swarmfit weigh` takes
 //   weights.csv        one row per calibration pass and metric, the final weights as pass "final"
 //   lags.csv           one row per lag, and one for the columns without: how many are scored, their weight, the largest share of error

@@ -18,20 +18,20 @@ namespace {
 
 // Of the metrics that count, the one in which the winner is farthest from the recording: beyond what its own recordings have, if that is
 // known.
-std::string main_misfit(const Comparison& c, const FitResult& winner) {
-  const Energies& own = winner.certainty.own;
-  const auto excess = [&](std::size_t m) { return winner.raw_energies[m] - (m < own.size() && std::isfinite(own[m]) ? own[m] : 0); };
-  const std::size_t none = c.columns.size();
+std::string main_misfit(const Comparison& c, const ModelFit& winner) {
+  const Energies& own = winner.standing.certainty.own;
+  const auto excess = [&](std::size_t m) { return winner.runs.raw_energies[m] - (m < own.size() && std::isfinite(own[m]) ? own[m] : 0); };
+  const std::size_t none = c.recording.columns.size();
   std::size_t worst = none;
   for (std::size_t m = 0; m < none; ++m)
-    if (counts(c, m) && std::isfinite(winner.raw_energies[m]) && (worst == none || excess(m) > excess(worst))) worst = m;
+    if (counts(c, m) && std::isfinite(winner.runs.raw_energies[m]) && (worst == none || excess(m) > excess(worst))) worst = m;
   if (worst == none) return {};
-  const std::string energy = fixed(winner.raw_energies[worst], 2);
+  const std::string energy = fixed(winner.runs.raw_energies[worst], 2);
   if (worst < own.size() && std::isfinite(own[worst]))
-    return fmt::format("Its largest misfit is in the {} (energy {}, its own recordings {}).", c.columns[worst].name(), energy,
+    return fmt::format("Its largest misfit is in the {} (energy {}, its own recordings {}).", c.recording.columns[worst].name(), energy,
                        fixed(own[worst], 2));
-  return fmt::format("Its largest misfit is in the {} (energy {} of at most {}).", c.columns[worst].name(), energy,
-                     brief(worst_energy(c.binning)));
+  return fmt::format("Its largest misfit is in the {} (energy {} of at most {}).", c.recording.columns[worst].name(), energy,
+                     brief(worst_energy(c.recording.binning)));
 }
 
 // "p = 0.31", "p ≤ 0.01" where no recording of the law lies beyond.
@@ -40,35 +40,36 @@ std::string p_text(double p, int laws) {
 }
 
 // What nobody needs a metric for, and refutes the model all the same.
-std::string refuted(const FitResult& r) {
+std::string refuted(const ModelFit& r) {
   std::vector<std::string> facts;
-  for (const Refutation& f : r.refuted_by) facts.push_back(f.item.key == "vacf_zero" ? "memory of direction" : f.item.name);
+  for (const Refutation& f : r.likeness.refuted_by) facts.push_back(f.item.key == "vacf_zero" ? "memory of direction" : f.item.name);
   return facts.empty() ? std::string() : fmt::format("What anybody sees refutes it: {}.", enumerate(facts));
 }
 
-bool explains(const FitResult& r) { return r.certainty.goodness_p > kAlpha; }
+bool explains(const ModelFit& r) { return r.standing.certainty.goodness_p > kAlpha; }
 
 // Is the recording one that the model could have made?
-std::string goodness(const Comparison& c, const FitResult& r) {
-  const double p = r.certainty.goodness_p;
+std::string goodness(const Comparison& c, const ModelFit& r) {
+  const double p = r.standing.certainty.goodness_p;
   if (!std::isfinite(p)) return {};
   const bool could = explains(r);
   return fmt::format("The recording lies {} {} than recordings made by it ({}).", could ? "no farther from" : "farther from", r.model,
-                     p_text(p, c.laws));
+                     p_text(p, c.ranking.laws));
 }
 
 // What follows the sentence on rank: may be true of every model.
-std::string none_explains(const std::vector<const FitResult*>& scored) {
-  const auto fails = [](const FitResult* r) { return std::isfinite(r->certainty.goodness_p) && !explains(*r); };
+std::string none_explains(const std::vector<const ModelFit*>& scored) {
+  const auto fails = [](const ModelFit* r) { return std::isfinite(r->standing.certainty.goodness_p) && !explains(*r); };
   if (!std::all_of(scored.begin(), scored.end(), fails)) return {};
   return scored.size() == 1 ? " This fit does not explain the recording." : " None of these fits explains the recording.";
 }
 
 // Who is first where nobody was fitted, if that is another.
-std::string first_elsewhere(const std::vector<const FitResult*>& scored) {
-  const auto best = std::max_element(scored.begin(), scored.end(),
-                                     [](const FitResult* a, const FitResult* b) { return a->held_out.score < b->held_out.score; });
-  if (!std::isfinite((*best)->held_out.score) || *best == scored.front()) return {};
+std::string first_elsewhere(const std::vector<const ModelFit*>& scored) {
+  const auto best = std::max_element(scored.begin(), scored.end(), [](const ModelFit* a, const ModelFit* b) {
+    return a->standing.held_out.score < b->standing.held_out.score;
+  });
+  if (!std::isfinite((*best)->standing.held_out.score) || *best == scored.front()) return {};
   return fmt::format("On the half that was held out {} has the highest score.", (*best)->model);
 }
 
@@ -79,43 +80,43 @@ std::string join(const std::vector<std::string>& sentences) {
   return out;
 }
 
-Headline single(const Comparison& c, const FitResult& only) {
+Headline single(const Comparison& c, const ModelFit& only) {
   return {Verdict::single, fmt::format("{} is the only model here, so there is nothing to rank.{}", only.model, none_explains({&only})),
           join({"A score compares models with each other; alone, judge the fit by its raw energies and distributions.", goodness(c, only),
                 refuted(only), main_misfit(c, only)})};
 }
 
-Headline tied(const Comparison& c, const std::vector<std::string>& together, const std::vector<const FitResult*>& scored) {
-  const FitResult &first = *scored[0], &second = *scored[1];
-  return {Verdict::tie,
-          fmt::format("{} cannot be told apart with this recording and budget.{}", enumerate(together), none_explains(scored)),
-          join({fmt::format("{} has the highest score, but leads {} by only {}, no more than chance does ({}).", first.model, second.model,
-                            fixed(first.score - second.score, 3), p_text(second.certainty.set_p, c.laws)),
-                goodness(c, first), refuted(first), first_elsewhere(scored), main_misfit(c, first)})};
+Headline tied(const Comparison& c, const std::vector<std::string>& together, const std::vector<const ModelFit*>& scored) {
+  const ModelFit &first = *scored[0], &second = *scored[1];
+  return {
+      Verdict::tie, fmt::format("{} cannot be told apart with this recording and budget.{}", enumerate(together), none_explains(scored)),
+      join({fmt::format("{} has the highest score, but leads {} by only {}, no more than chance does ({}).", first.model, second.model,
+                        fixed(first.standing.score - second.standing.score, 3), p_text(second.standing.certainty.set_p, c.ranking.laws)),
+            goodness(c, first), refuted(first), first_elsewhere(scored), main_misfit(c, first)})};
 }
 
-Headline ranked(const Comparison& c, const std::vector<const FitResult*>& scored) {
-  const FitResult &first = *scored[0], &second = *scored[1];
-  const bool known = first.certainty.group > 0;
+Headline ranked(const Comparison& c, const std::vector<const ModelFit*>& scored) {
+  const ModelFit &first = *scored[0], &second = *scored[1];
+  const bool known = first.standing.certainty.group > 0;
   return {known ? Verdict::clear : Verdict::open, fmt::format("{} moves most like the recording.{}", first.model, none_explains(scored)),
-          join({fmt::format("It leads {} by {} in score ({}).", second.model, fixed(first.score - second.score, 3),
-                            known ? p_text(second.certainty.set_p, c.laws) : "it cannot be told how sure that is"),
+          join({fmt::format("It leads {} by {} in score ({}).", second.model, fixed(first.standing.score - second.standing.score, 3),
+                            known ? p_text(second.standing.certainty.set_p, c.ranking.laws) : "it cannot be told how sure that is"),
                 goodness(c, first), refuted(first), first_elsewhere(scored), main_misfit(c, first)})};
 }
 
 // Of the models alone.
 Headline of_models(const Comparison& c) {
-  std::vector<const FitResult*> scored;
-  for (const FitResult& r : c.models)
-    if (std::isfinite(r.score)) scored.push_back(&r);
+  std::vector<const ModelFit*> scored;
+  for (const ModelFit& r : c.models)
+    if (std::isfinite(r.standing.score)) scored.push_back(&r);
   if (scored.empty()) return {Verdict::none, "No model could be scored.", "See the warnings and the failed simulations below."};
   if (scored.size() == 1 && c.models.size() == 1) return single(c, *scored[0]);
   if (scored.size() == 1)
     return {Verdict::open, fmt::format("{} is the only model that could be scored.", scored[0]->model), main_misfit(c, *scored[0])};
 
   std::vector<std::string> together;
-  for (const FitResult* r : scored)
-    if (r->certainty.group == 1) together.push_back(r->model);
+  for (const ModelFit* r : scored)
+    if (r->standing.certainty.group == 1) together.push_back(r->model);
   return together.size() > 1 ? tied(c, together, scored) : ranked(c, scored);
 }
 
@@ -125,57 +126,57 @@ std::string letter_of(int group) { return group > 0 ? std::string(1, static_cast
 
 Headline headline(const Comparison& c) {
   Headline models = of_models(c);
-  const bool forgets = c.skill.memory_p > kAlpha;
-  if (models.verdict == Verdict::none || (!forgets && !c.skill.walk_suffices)) return models;
+  const bool forgets = c.recording.skill.memory_p > kAlpha;
+  if (models.verdict == Verdict::none || (!forgets && !c.ranking.walk_suffices)) return models;
   const std::string answer = forgets ? "The recording moves like a random walk made of its own steps."
                                      : "No model is closer to the recording than a random walk made of its own steps.";
   const std::string memory =
       forgets ? fmt::format("It shows no memory of direction ({}), so no model can be told to explain more of how it moves.",
-                            p_text(c.skill.memory_p, c.skill.surrogates))
+                            p_text(c.recording.skill.memory_p, c.recording.skill.surrogates))
               : std::string();
   return {Verdict::walk, answer, join({memory, "Among the models:", models.sentence, models.detail})};
 }
 
-bool counts(const Comparison& c, std::size_t column) { return c.defined[column] && c.observation.used[column]; }
+bool counts(const Comparison& c, std::size_t column) { return c.recording.defined[column] && c.recording.observation.used[column]; }
 
 std::string why_left_out(const Comparison& c, std::size_t column) {
   if (counts(c, column)) return {};
-  if (!c.observation.why_not[column].empty()) return c.observation.why_not[column];
-  return c.defined[column] ? "left out by request" : "undefined in the recording";
+  if (!c.recording.observation.why_not[column].empty()) return c.recording.observation.why_not[column];
+  return c.recording.defined[column] ? "left out by request" : "undefined in the recording";
 }
 
 std::string marked(const Comparison& c, std::size_t column, const std::string& symbol) {
   if (!counts(c, column)) return '(' + symbol + ')';
-  return c.observation.drowned[column] ? symbol + '~' : symbol;
+  return c.recording.observation.drowned[column] ? symbol + '~' : symbol;
 }
 
 std::string what_drowned_means(const Comparison& c) {
-  for (std::size_t m = 0; m < c.columns.size(); ++m)
-    if (counts(c, m) && c.observation.drowned[m])
+  for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
+    if (counts(c, m) && c.recording.observation.drowned[m])
       return "~ mostly localisation error: models are told apart only as far as they differ by more than as much error again would make.";
   return {};
 }
 
 std::string what_ranks_mean(const Comparison& c) {
-  if (c.laws == 0) return {};
+  if (c.ranking.laws == 0) return {};
   return fmt::format(
       "{}95 %: of the score, over recordings as long as this one. fit p: the share of recordings made by the model, of {}, that lie as far "
       "from it as this one.",
-      c.models.size() > 1 ? "Models with the same letter cannot be told apart (model confidence set, 95 %). " : "", c.laws);
+      c.models.size() > 1 ? "Models with the same letter cannot be told apart (model confidence set, 95 %). " : "", c.ranking.laws);
 }
 
 std::string what_skill_means(const Comparison& c) {
-  if (std::none_of(c.models.begin(), c.models.end(), [](const FitResult& r) { return std::isfinite(r.skill.value); })) return {};
-  const bool motion = std::isfinite(c.skill.walker.value);  // or d and eta alone
-  const char* null = c.skill.null_of == SkillNull::places ? "its own places in random order"
-                     : motion                             ? "a random walk of its own steps (in d and η: than its tracks shifted in time)"
-                                                          : "its tracks shifted in time";
+  if (std::none_of(c.models.begin(), c.models.end(), [](const ModelFit& r) { return std::isfinite(r.likeness.skill.value); })) return {};
+  const bool motion = std::isfinite(c.recording.skill.walker.value);  // or d and eta alone
+  const char* null = c.recording.skill.null_of == SkillNull::places ? "its own places in random order"
+                     : motion ? "a random walk of its own steps (in d and η: than its tracks shifted in time)"
+                              : "its tracks shifted in time";
   return fmt::format("1 as close to the recording as two halves of it are to each other, 0 no closer than {}.", null);
 }
 
 std::string kept_fixed(const Comparison& c) {
   std::vector<std::pair<std::string, std::vector<std::string>>> by_values;  // and who has them
-  for (const FitResult& r : c.models) {
+  for (const ModelFit& r : c.models) {
     std::string values;
     for (const ParameterResult& p : r.parameters)
       if (!p.fitted)
@@ -194,7 +195,7 @@ std::string kept_fixed(const Comparison& c) {
 
 std::string steps_taken(const Comparison& c) {
   std::map<int, std::vector<std::string>> by_steps;  // 0: maps
-  for (const FitResult& r : c.models) by_steps[r.map ? 0 : r.steps].push_back(r.model);
+  for (const ModelFit& r : c.models) by_steps[r.runs.map ? 0 : r.runs.steps].push_back(r.model);
   std::vector<std::string> out;
   for (const auto& [steps, models] : by_steps)
     if (steps > 0) out.push_back(fmt::format("{} {}", enumerate(models), steps));
@@ -205,7 +206,7 @@ std::string steps_taken(const Comparison& c) {
 
 std::string lags_measured(const Comparison& c) {
   std::vector<std::string> frames, shares;
-  for (const LagFacts& l : c.lags) {
+  for (const LagFacts& l : c.ranking.lags) {
     if (l.lag == 0) continue;
     frames.push_back(lag_name(c, l.lag));
     if (std::isfinite(l.error_share))
@@ -213,19 +214,20 @@ std::string lags_measured(const Comparison& c) {
   }
   if (frames.empty()) return {};
   std::string out = fmt::format("Motion is measured at {}.", enumerate(frames));
-  if ((c.observation.sigma > 0).any() && !shares.empty()) out += fmt::format(" Localisation error makes up at most {}.", enumerate(shares));
+  if ((c.recording.observation.sigma > 0).any() && !shares.empty())
+    out += fmt::format(" Localisation error makes up at most {}.", enumerate(shares));
   return out;
 }
 
-std::string lag_name(const Comparison& c, int lag) { return fmt::format("lag {} ({} s)", lag, brief(lag * c.data.dt)); }
+std::string lag_name(const Comparison& c, int lag) { return fmt::format("lag {} ({} s)", lag, brief(lag * c.recording.data.dt)); }
 
 std::string origin(const Comparison& c) {
-  return fmt::format("Recording {}{}, protocol {}, budget {}, seed {}, swarmfit {}.", c.data.path, c.data.synthetic ? " (synthetic)" : "",
-                     c.protocol, c.budget.name, c.seed, c.version);
+  return fmt::format("Recording {}{}, protocol {}, budget {}, seed {}, swarmfit {}.", c.recording.data.path,
+                     c.recording.data.synthetic ? " (synthetic)" : "", c.run.protocol, c.run.budget.name, c.run.seed, c.run.version);
 }
 
 std::string lag_weights(const Comparison& c) {
-  std::vector<LagFacts> lags = c.lags;
+  std::vector<LagFacts> lags = c.ranking.lags;
   std::stable_sort(lags.begin(), lags.end(), [](const LagFacts& a, const LagFacts& b) { return a.weight > b.weight; });
   std::vector<std::string> parts;
   for (const LagFacts& l : lags)
@@ -239,15 +241,15 @@ std::string lag_weights(const Comparison& c) {
 
 double worst_energy(const Binning& b) { return 2 * b.bins / (b.upper - b.lower); }
 
-std::vector<std::string> at_bounds(const FitResult& r) {
+std::vector<std::string> at_bounds(const ModelFit& r) {
   std::vector<std::string> names;
   for (const ParameterResult& p : r.parameters)
     if (p.at_bound) names.push_back(p.name);
   return names;
 }
 
-std::string score_interval(const FitResult& r) {
-  const Certainty& c = r.certainty;
+std::string score_interval(const ModelFit& r) {
+  const Certainty& c = r.standing.certainty;
   return std::isfinite(c.lower) ? fmt::format("{} .. {}", fixed(c.lower, 2), fixed(c.upper, 2)) : kUndefined;
 }
 
@@ -267,29 +269,29 @@ std::string what_posteriors_mean() {
          "(correlation).";
 }
 
-std::string group_letter(const FitResult& r) { return letter_of(r.certainty.group); }
+std::string group_letter(const ModelFit& r) { return letter_of(r.standing.certainty.group); }
 
-std::string held_out_score(const FitResult& r) {
-  const std::string letter = letter_of(r.held_out.certainty.group);
-  return fixed(r.held_out.score, 3) + (letter.empty() ? "" : ' ' + letter);
+std::string held_out_score(const ModelFit& r) {
+  const std::string letter = letter_of(r.standing.held_out.certainty.group);
+  return fixed(r.standing.held_out.score, 3) + (letter.empty() ? "" : ' ' + letter);
 }
 
 std::string what_held_out_means(const Comparison& c) {
-  const HoldOutFacts& h = c.hold_out;
+  const HoldOutFacts& h = c.recording.hold_out;
   return fmt::format("held out: models and weights are of frames {} to {}, these scores of frames {} to {}; gap: what a score loses there.",
                      h.fitted_first, h.fitted_last, h.held_first, h.held_last);
 }
 
 std::string sigma_text(const Comparison& c) {
   std::string out;
-  for (int axis = 0; axis < c.data.dims; ++axis)
-    out += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], brief(c.observation.sigma[axis], 3));
-  return out + ' ' + c.data.unit;
+  for (int axis = 0; axis < c.recording.data.dims; ++axis)
+    out += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], brief(c.recording.observation.sigma[axis], 3));
+  return out + ' ' + c.recording.data.unit;
 }
 
 std::string what_energy_means(const Comparison& c) {
-  const std::string worst = brief(worst_energy(c.binning));
-  if (c.binning.pooled) return fmt::format("the L1 distance of the distributions, 0 alike .. {} disjoint", worst);
+  const std::string worst = brief(worst_energy(c.recording.binning));
+  if (c.recording.binning.pooled) return fmt::format("the L1 distance of the distributions, 0 alike .. {} disjoint", worst);
   return fmt::format(
       "the energy score, distance of simulations from the recording less half that between simulations; lower is better, {} the worst",
       worst);

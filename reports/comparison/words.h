@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 
@@ -65,12 +65,12 @@ std::string origin(const Comparison&);
 double worst_energy(const Binning&);
 
 // "0.87 .. 0.95", the 95 % interval of the score over recordings; an en dash if unknown.
-std::string score_interval(const FitResult&);
+std::string score_interval(const ModelFit&);
 // "0.731 a": the score on the half that was not fitted, and the group there.
-std::string held_out_score(const FitResult&);
+std::string held_out_score(const ModelFit&);
 std::string what_held_out_means(const Comparison&);
 // "a" for the best group, whose models cannot be told apart, "b" for the next; empty if unknown.
-std::string group_letter(const FitResult&);
+std::string group_letter(const ModelFit&);
 
 // "0.021 .. 0.034"; an en dash without a posterior.
 std::string interval_text(const ParameterUncertainty&);
@@ -79,7 +79,7 @@ std::string partner_text(const ParameterUncertainty&);
 std::string what_posteriors_mean();
 
 // Names of the parameters that ended on a bound of their search.
-std::vector<std::string> at_bounds(const FitResult&);
+std::vector<std::string> at_bounds(const ModelFit&);
 
 // Localisation error per axis, with the unit.
 std::string sigma_text(const Comparison&);

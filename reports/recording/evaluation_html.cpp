@@ -103,20 +103,20 @@ Html references(const Methods& m) {
 
 PageValues parts(const Evaluation& e, const PairPortrait& p, const std::string& version) {
   const Comparison& c = p.comparison;
-  const Methods how = methods(e, c.observation.velocity == "recorded", version);
-  Html origin = provenance("recording", c.data);
+  const Methods how = methods(e, c.recording.observation.velocity == "recorded", version);
+  Html origin = provenance("recording", c.recording.data);
   origin += provenance("simulation", p.simulation);
   return {{"badge", sections::badge(c).text},
           {"sentence", html_escaped(evaluation_sentence(e))},
           {"detail", html_escaped(energy_words(e))},
-          {"facts", files(c.data, p.simulation).text},
+          {"facts", files(c.recording.data, p.simulation).text},
           {"energies", energies(e).text},
           {"lags", html_escaped(lag_words(e))},
           {"motion", sections::motion(c).text},
           {"legend", sections::legend(c).text},
           {"pdf_figures", sections::pdf_figures(c).text},
           {"pdf_note", sections::pdf_note(c).text},
-          {"sides", sides(c.data, p.simulation).text},
+          {"sides", sides(c.recording.data, p.simulation).text},
           {"order", order(e).text},
           {"methods", paragraphs(how).text},
           {"references", references(how).text},

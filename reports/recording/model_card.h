@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 #include "reports/write/html_table.h"
 
 namespace swarmfit {

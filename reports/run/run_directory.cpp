@@ -34,7 +34,7 @@ void write_run(const std::string& dir, const Comparison& c) {
   for (const fs::path& folder : {root, tables, drawn}) remove_torn(folder.string());
   const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
   // The mark first: whatever happens from here on, the next run may clean up after this one.
-  write(root / "config.toml", config_toml(c.command, c.config));
+  write(root / "config.toml", config_toml(c.run.command, c.run.config));
   std::error_code no_such_file;
   fs::remove(root / "results.json", no_such_file);
   for (const NamedTable& t : result_tables(c)) write(tables / t.name, t.csv);

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "fit/results/results.h"
+#include "fit/results/comparison.h"
 
 namespace swarmfit {
 

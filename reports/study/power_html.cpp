@@ -28,7 +28,7 @@ std::string lacking(double factor, double seconds) {
 }
 
 Html pairs(const Power& p) {
-  const double seconds = static_cast<double>(p.fitted.data.frames) * p.fitted.data.dt;
+  const double seconds = static_cast<double>(p.fitted.recording.data.frames) * p.fitted.recording.data.dt;
   PaperTable t = pairs_table(
       p, "Told apart: the maker is ranked before the rival and the rival is not in the best group. Lead: of the maker's score.");
   t.align = "llrrrrrr";
@@ -73,10 +73,10 @@ std::string power_html(const Power& p, const Settings& settings) {
                  {},
                  {},
                  settings,
-                 fitted.version};
+                 fitted.run.version};
   page.sections = {{"pairs", "How much more it would take", pairs(p)},
                    {"matrices", "Who is told from whom", matrices(p)},
-                   {"planted", "What was planted", sections::planted_parameters(p.recovery, fitted.data.unit)},
+                   {"planted", "What was planted", sections::planted_parameters(p.recovery, fitted.recording.data.unit)},
                    {"recordings", "Recording by recording", sections::cases_table(p.recovery)}};
   page.files = markup("<code>power.json</code>, <code>tables/pairs.csv</code>, <code>tables/cases.csv</code>");
   return study_html(page);

@@ -67,7 +67,8 @@ HtmlTable& HtmlTable::add(std::string& part, std::string_view row_classes, const
   const bool heading = &part == &head_;
   part += opened("tr", row_classes);
   for (const Cell& cell : cells) {
-    const std::string tag = cell.head ? (heading ? "th scope=\"col\"" : "th scope=\"row\"") : "td";
+    std::string tag = cell.head ? (heading ? "th scope=\"col\"" : "th scope=\"row\"") : "td";
+    if (!cell.note.empty()) tag += fmt::format(" title=\"{}\"", html_escaped(cell.note));
     part += opened(tag, classes(cell)) + cell.content.text + (cell.head ? "</th>" : "</td>");
   }
   part += "</tr>\n";
@@ -88,8 +89,8 @@ Html HtmlTable::html() const {
 HtmlTable::Cell name_cell(Html content) { return {.content = std::move(content), .head = true}; }
 HtmlTable::Cell text_cell(std::string_view text) { return {.content = escaped(text)}; }
 HtmlTable::Cell number_cell(std::string_view text, bool soft) { return {.content = escaped(text), .number = true, .soft = soft}; }
-HtmlTable::Cell column(std::string_view title, bool number, bool soft) {
-  return {.content = escaped(title), .number = number, .head = true, .soft = soft};
+HtmlTable::Cell column(std::string_view title, bool number, bool soft, std::string_view note) {
+  return {.content = escaped(title), .number = number, .head = true, .soft = soft, .note = std::string(note)};
 }
 
 Html fact(std::string_view term, std::string_view value, bool wide) {

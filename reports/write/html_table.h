@@ -39,6 +39,7 @@ class HtmlTable {
     bool head = false;
     bool soft = false;   // a metric that is left out
     std::string also{};  // further classes of report.css
+    std::string note{};  // what it means, shown where the pointer rests
   };
   HtmlTable& head(const std::vector<Cell>& cells) { return add(head_, "", cells); }
   HtmlTable& row(const std::vector<Cell>& cells, std::string_view classes = "") { return add(body_, classes, cells); }
@@ -58,7 +59,8 @@ class HtmlTable {
 HtmlTable::Cell name_cell(Html content);  // heads a row
 HtmlTable::Cell text_cell(std::string_view text);
 HtmlTable::Cell number_cell(std::string_view text, bool soft = false);
-HtmlTable::Cell column(std::string_view title, bool number = false, bool soft = false);  // heads a column
+// Heads a column.
+HtmlTable::Cell column(std::string_view title, bool number = false, bool soft = false, std::string_view note = {});
 
 // <div><dt>term</dt><dd>value</dd></div>, for use inside <dl class="facts">; nothing if the value is empty.
 Html fact(std::string_view term, std::string_view value, bool wide = false);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "fit/compare/hold_out.h"
+#include "fit/compare/rank.h"
 #include "fit/experiment/objective.h"
 #include "fit/study/recovery.h"
 #include "libeval/lags.h"
@@ -46,18 +47,21 @@ Scene scene(const ModelChoice& planted, const ModelChoice& other, std::uint64_t 
 double true_lead(const Scene& s, const Comparison& c) {
   const Halves parts = halves(s.recording);
   Conditions fitted = make_conditions(parts.fitted, s.options.conditions);
-  fitted.metrics.lags = lags_of(c.columns);
+  fitted.metrics.lags = lags_of(c.recording.columns);
   const Conditions conditions = held_out_conditions(parts.held_out, fitted);
   Conditions planted = conditions;
   planted.reference = std::make_shared<const Tracks>();  // planted swarms stay at the origin
   const Target target(metric_samples(conditions.recording, conditions.metrics), s.options.binning);
-  const Weighting w{{c.weights.begin(), c.weights.end()}, {c.p1.begin(), c.p1.end()}, {c.p2.begin(), c.p2.end()}, {}};
+  const Weighting w{{c.ranking.weights.begin(), c.ranking.weights.end()},
+                    {c.ranking.p1.begin(), c.ranking.p1.end()},
+                    {c.ranking.p2.begin(), c.ranking.p2.end()},
+                    {}};
   Laws laws{law_of(Objective(s.options.models[0], planted, target), s.truth, {4711}, kFresh), {}, {0, 0}, {1}};
-  for (const FitResult& fit : c.models) {
+  for (const ModelFit& fit : c.models) {
     const ModelChoice model = parse_model(fit.model);
     laws.of.push_back(law_of(Objective(model, conditions, target), parameter_values(model, fit), {4712}, kFresh));
   }
-  const ScoreDraws draws = score_draws(c.models, laws, target, w, s.options.budget.final_replicates);
+  const ScoreDraws draws = score_draws(scored(c.models), laws, target, w, s.options.budget.final_replicates);
   return (draws.draws.col(0) - draws.draws.col(1)).mean();
 }
 
@@ -75,12 +79,12 @@ int main(int argc, char** argv) {
   for (int k = first_seed; k < first_seed + recordings; ++k) {
     const Scene s = scene(planted, other, static_cast<std::uint64_t>(k), argc > 4 ? std::atoi(argv[4]) : 280);
     const Comparison c = compare(s.recording, s.options);
-    const FitResult &first = c.models[0], &second = c.models[1];
-    const Certainty& there = second.held_out.certainty;
+    const ModelFit &first = c.models[0], &second = c.models[1];
+    const Certainty& there = second.standing.held_out.certainty;
     const double truth = true_lead(s, c);
     held += there.lead_lower <= truth && truth <= there.lead_upper;
-    fmt::print("{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", k, first.model, first.score - second.score,
-               first.held_out.score - second.held_out.score, there.lead_lower, there.lead_upper, truth);
+    fmt::print("{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", k, first.model, first.standing.score - second.standing.score,
+               first.standing.held_out.score - second.standing.held_out.score, there.lead_lower, there.lead_upper, truth);
     std::fflush(stdout);
   }
   fmt::print("{} of {} intervals hold the true lead\n", held, recordings);

@@ -56,13 +56,13 @@ int main(int argc, char** argv) {
     const Comparison c =
         compared_with_itself(model, static_cast<std::uint64_t>(k), argument(3, 10), argument(4, 120), argc > 5 ? argv[5] : "quick");
     const auto& best = c.models[0];
-    const bool equal = c.models[0].score == c.models[1].score;
+    const bool equal = c.models[0].standing.score == c.models[1].standing.score;
     tally.equal += equal;
     tally.first += !equal && best.model == model.name;
-    tally.together += c.models[1].certainty.group == 1;
-    tally.explained += best.certainty.goodness_p > 0.05;
-    fmt::print("{},{:.4f},{:.2f},{:.2f},{:.2f}\n", k, best.score - c.models[1].score, c.models[1].certainty.set_p,
-               best.certainty.goodness_p, c.models[1].certainty.goodness_p);
+    tally.together += c.models[1].standing.certainty.group == 1;
+    tally.explained += best.standing.certainty.goodness_p > 0.05;
+    fmt::print("{},{:.4f},{:.2f},{:.2f},{:.2f}\n", k, best.standing.score - c.models[1].standing.score,
+               c.models[1].standing.certainty.set_p, best.standing.certainty.goodness_p, c.models[1].standing.certainty.goodness_p);
     std::fflush(stdout);
   }
   fmt::print("{} of {}: the first won {}, the second {}, equal {}; not told apart {}; explained {}\n", model.name, recordings, tally.first,

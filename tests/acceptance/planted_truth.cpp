@@ -33,7 +33,7 @@ Loss fitted_loss(const Comparison& c) {
   return [&c](const Energies& raw) {
     double sum = 0;
     for (std::size_t j = 0; j < kMetrics; ++j)
-      if (c.weights[j] > 0) sum += c.weights[j] * (raw[j] - c.p1[j]) / c.p2[j];
+      if (c.ranking.weights[j] > 0) sum += c.ranking.weights[j] * (raw[j] - c.ranking.p1[j]) / c.ranking.p2[j];
     return sum;
   };
 }
@@ -105,13 +105,13 @@ int run(int seeds, const std::string& budget, double sigma, int first_seed) {
     const auto fresh = replicate_seeds({options.seed + 1000003}, Stream::final_seeds, kFreshSeeds);
     const Pooled fitted = pooled(objective, target, parameter_values(options.models.front(), bswarm), fresh);
     const Pooled truth = pooled(objective, target, scene_parameters(options.models.front(), test::midge_parameters()), fresh);
-    const Loss mean = mean_energy(result.observation.used), loss = fitted_loss(result);
+    const Loss mean = mean_energy(result.recording.observation.used), loss = fitted_loss(result);
     const Paired energy = paired(fitted, truth, mean), weighted = paired(fitted, truth, loss);
     first += winner.model == "bswarm";
     as_good += energy.z() <= 2 && weighted.z() <= 2;
     fmt::print("{:4}  {:7} {:6.3f} {:6.3f} {:8.3f} {:6.3f}  | {:6.3f} {:6.3f} {:14.1f} {:8.3f} {:6.3f} {:14.1f}\n", seed, winner.model,
-               bswarm.score, boids.score, mean(bswarm.raw_energies), mean(boids.raw_energies), energy.fitted, energy.truth, energy.z(),
-               weighted.fitted, weighted.truth, weighted.z());
+               bswarm.standing.score, boids.standing.score, mean(bswarm.runs.raw_energies), mean(boids.runs.raw_energies), energy.fitted,
+               energy.truth, energy.z(), weighted.fitted, weighted.truth, weighted.z());
     std::fflush(stdout);
   }
   fmt::print("bswarm first in {} of {}; fitted not worse than true by more than two standard errors in {} of {}\n", first, seeds, as_good,

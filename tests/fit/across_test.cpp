@@ -10,18 +10,18 @@ namespace {
 
 Comparison compared(const std::string& path, const std::vector<std::pair<std::string, double>>& scores, double first_weight) {
   Comparison c;
-  c.data.path = path;
-  c.weights[0] = first_weight;
-  c.weights[1] = 1 - first_weight;
+  c.recording.data.path = path;
+  c.ranking.weights[0] = first_weight;
+  c.ranking.weights[1] = 1 - first_weight;
   int rank = 0;
   for (const auto& [name, score] : scores) {
-    FitResult r;
+    ModelFit r;
     r.model = name;
-    r.score = score;
-    r.rank = std::isfinite(score) ? ++rank : 0;
+    r.standing.score = score;
+    r.standing.rank = std::isfinite(score) ? ++rank : 0;
     c.models.push_back(r);
   }
-  c.named = {"a", "b", "c"};
+  c.run.named = {"a", "b", "c"};
   return c;
 }
 

@@ -32,16 +32,14 @@ struct Scene {
 
   void add(double noise, int recordings = 39) {
     const auto seeds = replicate_seeds({1}, Stream::final_seeds, kPooled);
-    FitResult fit;
-    fit.raw_energies = objective.evaluate(values(noise), seeds).raw;
-    fit.score = -cost_of(fit.raw_energies, weighting);
-    fits.push_back(fit);
+    const Energies raw = objective.evaluate(values(noise), seeds).raw;
+    fits.push_back({-cost_of(raw, weighting), raw});
     laws.of.push_back(law_of(objective, values(noise), {1}, recordings));
     laws.scatter.push_back(0);
   }
   void fill() {
     laws.recordings = laws.of.front();
-    fill_certainty(fits, laws, target, weighting, kPooled);
+    certainty = certainties(fits, laws, target, weighting, kPooled);
   }
 
   ModelChoice model = parse_model("bswarm");
@@ -51,7 +49,8 @@ struct Scene {
   Target target{metric_samples(recording), binning};
   Objective objective{model, conditions, target};
   Weighting weighting = initial_weighting(std::vector<bool>(kMetrics, true), target.worst());
-  std::vector<FitResult> fits;
+  std::vector<Scored> fits;
+  std::vector<Certainty> certainty;
   Laws laws{{}, {}, {}, {1}};
 };
 
@@ -60,19 +59,19 @@ TEST(Certainty, TheTruthExplainsAndWhatIsWrongDoesNot) {
   s.add(1);
   s.add(2);
   s.fill();
-  EXPECT_GT(s.fits[0].certainty.goodness_p, 0.05);
-  EXPECT_EQ(s.fits[1].certainty.goodness_p, 1.0 / 40);
-  EXPECT_EQ(s.fits[0].certainty.group, 1);
-  EXPECT_EQ(s.fits[1].certainty.group, 2);
-  EXPECT_EQ(s.fits[0].certainty.set_p, 1);
-  for (const FitResult& f : s.fits) {
-    EXPECT_LT(f.certainty.lower, f.score);
-    EXPECT_GT(f.certainty.upper, f.score);
+  EXPECT_GT(s.certainty[0].goodness_p, 0.05);
+  EXPECT_EQ(s.certainty[1].goodness_p, 1.0 / 40);
+  EXPECT_EQ(s.certainty[0].group, 1);
+  EXPECT_EQ(s.certainty[1].group, 2);
+  EXPECT_EQ(s.certainty[0].set_p, 1);
+  for (std::size_t m = 0; m < s.fits.size(); ++m) {
+    EXPECT_LT(s.certainty[m].lower, s.fits[m].score);
+    EXPECT_GT(s.certainty[m].upper, s.fits[m].score);
   }
-  EXPECT_GT(s.fits[1].certainty.lead_lower, 0);
-  EXPECT_LT(s.fits[1].certainty.lead_lower, s.fits[0].score - s.fits[1].score);
-  EXPECT_GT(s.fits[1].certainty.lead_upper, s.fits[0].score - s.fits[1].score);
-  EXPECT_EQ(s.fits[0].certainty.lead_lower, 0);
+  EXPECT_GT(s.certainty[1].lead_lower, 0);
+  EXPECT_LT(s.certainty[1].lead_lower, s.fits[0].score - s.fits[1].score);
+  EXPECT_GT(s.certainty[1].lead_upper, s.fits[0].score - s.fits[1].score);
+  EXPECT_EQ(s.certainty[0].lead_lower, 0);
 }
 
 // The scatter of the draws about their mean, turned round the value, 2.2281 / 1.9600 times as wide.
@@ -87,8 +86,8 @@ TEST(Certainty, IntervalsAreTurnedAndWidened) {
   double mean = 0;
   for (const double lead : leads) mean += lead / static_cast<double>(leads.size());
   const double lead = s.fits[0].score - s.fits[1].score, wider = 2.2281 / 1.9600;
-  EXPECT_NEAR(s.fits[1].certainty.lead_lower, lead - wider * (quantile(leads, 0.975) - mean), 1e-12);
-  EXPECT_NEAR(s.fits[1].certainty.lead_upper, lead + wider * (mean - quantile(leads, 0.025)), 1e-12);
+  EXPECT_NEAR(s.certainty[1].lead_lower, lead - wider * (quantile(leads, 0.975) - mean), 1e-12);
+  EXPECT_NEAR(s.certainty[1].lead_upper, lead + wider * (mean - quantile(leads, 0.025)), 1e-12);
 }
 
 TEST(Certainty, NearlyEqualModelsAreOneGroup) {
@@ -96,8 +95,8 @@ TEST(Certainty, NearlyEqualModelsAreOneGroup) {
   s.add(1);
   s.add(1.001);
   s.fill();
-  EXPECT_EQ(s.fits[0].certainty.group, 1);
-  EXPECT_EQ(s.fits[1].certainty.group, 1);
+  EXPECT_EQ(s.certainty[0].group, 1);
+  EXPECT_EQ(s.certainty[1].group, 1);
 }
 
 // The same two models as in the first test, but searches that miss by as much as the models differ.
@@ -107,7 +106,7 @@ TEST(Certainty, SearchesThatMissTellNothingApart) {
   s.add(2);
   s.laws.scatter.assign(2, s.fits[0].score - s.fits[1].score);
   s.fill();
-  EXPECT_EQ(s.fits[1].certainty.group, 1);
+  EXPECT_EQ(s.certainty[1].group, 1);
 }
 
 // One column, whose score is minus its energy. Changes 0.3 and 0.1: variance (0.09 + 0.01) / 2 / 2. The median of three holds for the
@@ -168,7 +167,7 @@ TEST(Certainty, OwnEnergiesAreThoseOfTheNextRuns) {
       const double good = pooled ? l1(speeds(k), pool) : away / (kPooled - failed) - pairs / 2;
       expected += ((kPooled - failed) * good + failed * s.target.worst()) / kPooled / 4;
     }
-    EXPECT_NEAR(s.fits[0].certainty.own[kSpeed], expected, 1e-12);
+    EXPECT_NEAR(s.certainty[0].own[kSpeed], expected, 1e-12);
   }
 }
 
@@ -194,7 +193,7 @@ TEST(Certainty, TooFewRecordingsTellNothing) {
     Scene s(3);
     s.add(1, recordings);
     s.fill();
-    const Certainty& c = s.fits[0].certainty;
+    const Certainty& c = s.certainty[0];
     EXPECT_THAT((std::vector{c.goodness_p, c.set_p, c.lower, c.upper}), Each(IsNan()));
     EXPECT_THAT(c.own, Each(IsNan()));
     EXPECT_EQ(c.group, 0);
@@ -206,12 +205,12 @@ TEST(Certainty, AModelThatAlwaysBlowsUpIsNotExplainedAway) {
   s.add(1);
   s.add(1);
   for (SingleRun& run : s.laws.of[1]) run = {PerColumn<Distribution>(kMetrics), true};
-  s.fits[1].raw_energies = Energies(kMetrics, s.target.worst());
-  s.fits[1].score = -cost_of(s.fits[1].raw_energies, s.weighting);
+  s.fits[1].raw = Energies(kMetrics, s.target.worst());
+  s.fits[1].score = -cost_of(s.fits[1].raw, s.weighting);
   s.fill();
-  EXPECT_THAT(s.fits[1].certainty.goodness_p, IsNan());
-  EXPECT_EQ(s.fits[1].certainty.group, 2);
-  EXPECT_GT(s.fits[0].certainty.goodness_p, 0.05);
+  EXPECT_THAT(s.certainty[1].goodness_p, IsNan());
+  EXPECT_EQ(s.certainty[1].group, 2);
+  EXPECT_GT(s.certainty[0].goodness_p, 0.05);
 }
 
 TEST(Certainty, SameBitsForAnyNumberOfThreads) {
@@ -224,9 +223,8 @@ TEST(Certainty, SameBitsForAnyNumberOfThreads) {
     s.add(1.3, 9);
     s.fill();
     found.emplace_back();
-    for (const FitResult& f : s.fits)
-      for (const double x : {f.certainty.goodness_p, f.certainty.set_p, f.certainty.lower, f.certainty.upper, f.certainty.own[kJerk]})
-        found.back().push_back(x);
+    for (const Certainty& c : s.certainty)
+      for (const double x : {c.goodness_p, c.set_p, c.lower, c.upper, c.own[kJerk]}) found.back().push_back(x);
   }
   omp_set_num_threads(before);
   EXPECT_EQ(found[0], found[1]);
@@ -240,7 +238,7 @@ TEST(Certainty, GoodnessIsUniformUnderTheTruth) {
     Scene s(seed);
     s.add(1, 19);
     s.fill();
-    const double p = s.fits[0].certainty.goodness_p;
+    const double p = s.certainty[0].goodness_p;
     low += p <= 0.05;
     half += p <= 0.5;
   }
@@ -272,12 +270,10 @@ TEST(Certainty, EveryModelExplainsItsOwnRecordings) {
       std::vector<bool> used;
       for (std::size_t j = 0; j < kMetrics; ++j) used.push_back(target.defined(j));
       const Weighting weighting = initial_weighting(used, target.worst());
-      std::vector<FitResult> fit(1);
-      fit[0].raw_energies = objective.evaluate(truth, replicate_seeds({seed}, Stream::final_seeds, pooled)).raw;
-      fit[0].score = -cost_of(fit[0].raw_energies, weighting);
+      const Energies raw = objective.evaluate(truth, replicate_seeds({seed}, Stream::final_seeds, pooled)).raw;
       const Law law = law_of(objective, truth, {seed}, 39);
-      fill_certainty(fit, {law, {law}, {0}, {1}}, target, weighting, pooled);
-      rejected += fit[0].certainty.goodness_p <= 0.05;
+      const auto sure = certainties({{-cost_of(raw, weighting), raw}}, {law, {law}, {0}, {1}}, target, weighting, pooled);
+      rejected += sure[0].goodness_p <= 0.05;
     }
   }
   EXPECT_LE(rejected, 4);

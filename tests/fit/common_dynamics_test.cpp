@@ -41,17 +41,17 @@ TEST(CommonDynamics, AllModelsGetTheFirstOnesValuesAndSearchTheRest) {
   const Comparison first = compare(recording, alone);
   const CompareOptions common = with_common_dynamics(recording, o);
   const Comparison both = compare(recording, common);
-  ASSERT_EQ(both.common.size(), 6u);
-  for (const FitResult& fit : both.models)
+  ASSERT_EQ(both.run.common.size(), 6u);
+  for (const ModelFit& fit : both.models)
     for (const ParameterResult& p : fit.parameters) {
-      const bool shared = std::find(both.common.begin(), both.common.end(), p.name) != both.common.end();
+      const bool shared = std::find(both.run.common.begin(), both.run.common.end(), p.name) != both.run.common.end();
       if (!shared) continue;
       EXPECT_FALSE(p.fitted) << fit.model << ' ' << p.name;
       const auto& of_first = first.models.front().parameters;
       const auto same = std::find_if(of_first.begin(), of_first.end(), [&](const ParameterResult& q) { return q.name == p.name; });
       EXPECT_EQ(p.value, same->value) << fit.model << ' ' << p.name;
     }
-  EXPECT_THAT(both.searched, ElementsAre(ElementsAre("noise", "scale"), ElementsAre("lambda")));
+  EXPECT_THAT(both.run.searched, ElementsAre(ElementsAre("noise", "scale"), ElementsAre("lambda")));
   EXPECT_THAT(both.warnings.front(), HasSubstr("were fitted with bswarm alone"));
 }
 

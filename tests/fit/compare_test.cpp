@@ -12,6 +12,7 @@
 #include "fit/experiment/objective.h"
 #include "fit/optimise/screening.h"
 #include "fit/study/recovery.h"
+#include "libeval/score.h"
 #include "libeval/skill.h"
 #include "libtrack/error.h"
 #include "tests/fit/planted.h"
@@ -94,21 +95,21 @@ TEST(Compare, SameBitsForAnyNumberOfThreads) {
     const Threads threads(4);
     many = compare(recording, options);
   }
-  ASSERT_EQ(one.history.size(), many.history.size());
-  for (std::size_t k = 0; k < one.history.size(); ++k) {
-    EXPECT_EQ(one.history[k].x, many.history[k].x) << k;
-    EXPECT_EQ(one.history[k].phase, many.history[k].phase) << k;
-    for (std::size_t m = 0; m < kMetrics; ++m) EXPECT_EQ(one.history[k].raw[m], many.history[k].raw[m]) << k;
+  ASSERT_EQ(one.run.history.size(), many.run.history.size());
+  for (std::size_t k = 0; k < one.run.history.size(); ++k) {
+    EXPECT_EQ(one.run.history[k].x, many.run.history[k].x) << k;
+    EXPECT_EQ(one.run.history[k].phase, many.run.history[k].phase) << k;
+    for (std::size_t m = 0; m < kMetrics; ++m) EXPECT_EQ(one.run.history[k].raw[m], many.run.history[k].raw[m]) << k;
   }
   ASSERT_EQ(one.models.size(), 2u);
-  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(one.models[k].score, many.models[k].score);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(one.models[k].standing.score, many.models[k].standing.score);
 }
 
 TEST(Compare, PlantedModelWins) {
   const Comparison result = compare(test::planted_swarm(4), tiny({"boids", "bswarm"}));
   EXPECT_EQ(result.models.front().model, "bswarm");
-  EXPECT_EQ(result.models.front().rank, 1);
-  EXPECT_EQ(result.named, (std::vector<std::string>{"boids", "bswarm"}));
+  EXPECT_EQ(result.models.front().standing.rank, 1);
+  EXPECT_EQ(result.run.named, (std::vector<std::string>{"boids", "bswarm"}));
 }
 
 TEST(Compare, HistoryHoldsEveryEvaluationOnce) {
@@ -122,7 +123,7 @@ TEST(Compare, HistoryHoldsEveryEvaluationOnce) {
   int given_up = 0;
   for (std::size_t m = 0; m < 2; ++m) {
     std::int64_t searched = 0, simulations = 0;
-    for (const auto& row : result.history) {
+    for (const auto& row : result.run.history) {
       if (row.model != m) continue;
       searched += row.phase == "search" || row.phase == "refine";
       simulations += row.replicates;
@@ -133,9 +134,9 @@ TEST(Compare, HistoryHoldsEveryEvaluationOnce) {
       given_up += row.replicates < all;
     }
     for (const auto& fit : result.models) {
-      if (fit.model != result.named[m]) continue;
-      EXPECT_EQ(fit.evaluations, searched);
-      EXPECT_EQ(fit.simulations, simulations);
+      if (fit.model != result.run.named[m]) continue;
+      EXPECT_EQ(fit.search.evaluations, searched);
+      EXPECT_EQ(fit.search.simulations, simulations);
     }
   }
   EXPECT_GT(given_up, 0);
@@ -167,11 +168,11 @@ TEST(Objective, WhoGoesOnInARaceIsEvaluatedInFull) {
 TEST(Compare, WinnerIsTheBestOfTheConfirmed) {
   const auto options = tiny({"bswarm"});
   const Comparison result = compare(test::planted_swarm(4), options);
-  const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
+  const std::vector<bool> used(result.recording.observation.used.begin(), result.recording.observation.used.end());
   const HistoryRow* best = nullptr;
   const HistoryRow* reported = nullptr;
   double least = 1e9;
-  for (const auto& row : result.history) {
+  for (const auto& row : result.run.history) {
     double sum = 0;
     for (std::size_t j = 0; j < kMetrics; ++j) sum += used[j] ? row.raw[j] : 0;
     if (row.phase == "confirm" && sum < least) least = sum, best = &row;
@@ -189,12 +190,13 @@ TEST(Compare, LaterPassesTryWhatOtherSettingsHaveFound) {
   options.budget.passes = 2;
   options.weight_tolerance = 0;
   const Comparison result = compare(test::planted_swarm(4), options);
-  ASSERT_EQ(result.searched[0], (std::vector<std::string>{"gamma", "noise", "scale", "chi_rep", "chi_att", "r_rep", "r_att", "radius"}));
-  ASSERT_EQ(result.searched[1], (std::vector<std::string>{"gamma", "noise", "scale", "radius"}));
+  ASSERT_EQ(result.run.searched[0],
+            (std::vector<std::string>{"gamma", "noise", "scale", "chi_rep", "chi_att", "r_rep", "r_att", "radius"}));
+  ASSERT_EQ(result.run.searched[1], (std::vector<std::string>{"gamma", "noise", "scale", "radius"}));
   std::vector<double> part;
   int whole_as_part = 0, part_as_whole = 0;
   std::vector<double> whole;
-  for (const HistoryRow& row : result.history)
+  for (const HistoryRow& row : result.run.history)
     if (row.pass == 1 && row.phase == "final") (row.model == 0 ? whole : part) = row.x;
   ASSERT_EQ(part.size(), 4U);
   const auto near = [](const std::vector<double>& a, const std::vector<double>& b) {
@@ -202,7 +204,7 @@ TEST(Compare, LaterPassesTryWhatOtherSettingsHaveFound) {
       if (std::abs(a[k] - b[k]) > 1e-9 * (1 + std::abs(b[k]))) return false;
     return true;
   };
-  for (const HistoryRow& row : result.history) {
+  for (const HistoryRow& row : result.run.history) {
     if (row.pass != 2 || row.phase != "select") continue;
     whole_as_part += row.model == 0 && near(row.x, {part[0], part[1], part[2], 0, 0, 0, 0, part[3]});
     part_as_whole += row.model == 1 && near(row.x, {whole[0], whole[1], whole[2], whole[7]});
@@ -216,7 +218,7 @@ TEST(Compare, APartThatBeatsItsWholeIsWarnedOf) {
       compare(test::planted_swarm(4), tiny({"bswarm", "bswarm[interaction=off]", "bswarm[noise=white]", "bswarm[avoidance=none]"}));
   const auto score = [&](const char* model, double value) {
     for (auto& fit : result.models)
-      if (fit.model == model) fit.score = value, fit.score_se = 0.01;
+      if (fit.model == model) fit.standing.score = value, fit.standing.score_se = 0.01;
   };
   const auto warned = ::testing::Contains(HasSubstr("worse than its own part"));
   score("bswarm[noise=white]", 1);     // not a part of bswarm: it has a parameter of its own
@@ -243,17 +245,18 @@ TEST(Objective, AModelWithAStrengthOfZeroIsItsPart) {
 TEST(Compare, HardLimitOfEvaluationsIsKept) {
   auto options = tiny({"bswarm", "boids"});
   options.max_evaluations = 13;
-  for (const auto& fit : compare(test::planted_swarm(4), options).models) EXPECT_LE(fit.evaluations, 13);
+  for (const auto& fit : compare(test::planted_swarm(4), options).models) EXPECT_LE(fit.search.evaluations, 13);
 }
 
 TEST(Compare, WeightsAreThoseOfTheEnergiesShown) {
   const Comparison result = compare(test::planted_swarm(4), tiny({"bswarm", "boids", "bswarm[noise=none]"}));
   Eigen::MatrixXd table(3, static_cast<Index>(kMetrics));
   for (Index m = 0; m < 3; ++m)
-    for (std::size_t j = 0; j < kMetrics; ++j) table(m, static_cast<Index>(j)) = result.models[static_cast<std::size_t>(m)].raw_energies[j];
-  const std::vector<bool> used(result.observation.used.begin(), result.observation.used.end());
-  const Weighting expected = entropy_weights(table, used, {result.resolution.begin(), result.resolution.end()});
-  for (std::size_t j = 0; j < kMetrics; ++j) EXPECT_NEAR(result.weights[j], expected.weights[j], 1e-12);
+    for (std::size_t j = 0; j < kMetrics; ++j)
+      table(m, static_cast<Index>(j)) = result.models[static_cast<std::size_t>(m)].runs.raw_energies[j];
+  const std::vector<bool> used(result.recording.observation.used.begin(), result.recording.observation.used.end());
+  const Weighting expected = entropy_weights(table, used, {result.recording.resolution.begin(), result.recording.resolution.end()});
+  for (std::size_t j = 0; j < kMetrics; ++j) EXPECT_NEAR(result.ranking.weights[j], expected.weights[j], 1e-12);
 }
 
 TEST(Compare, LaterPassesSearchUnderTheMeanOfAllWeightsOrUnderTheLast) {
@@ -263,15 +266,17 @@ TEST(Compare, LaterPassesSearchUnderTheMeanOfAllWeightsOrUnderTheLast) {
   for (const bool mean : {true, false}) {
     options.mean_weights = mean;
     const Comparison result = compare(test::planted_swarm(4), options);
-    ASSERT_EQ(result.weight_history.size(), 3u);
-    const WeightStep &first = result.weight_history[0], &second = result.weight_history[1], &third = result.weight_history[2];
-    const double used = static_cast<double>(std::count(result.observation.used.begin(), result.observation.used.end(), true));
+    ASSERT_EQ(result.ranking.weight_history.size(), 3u);
+    const WeightStep &first = result.ranking.weight_history[0], &second = result.ranking.weight_history[1],
+                     &third = result.ranking.weight_history[2];
+    const double used =
+        static_cast<double>(std::count(result.recording.observation.used.begin(), result.recording.observation.used.end(), true));
     for (std::size_t j = 0; j < kMetrics; ++j) {
-      const double equal = result.observation.used[j] ? 1 / used : 0;
+      const double equal = result.recording.observation.used[j] ? 1 / used : 0;
       EXPECT_NEAR(first.searched[j], equal, 1e-15);
       EXPECT_NEAR(second.searched[j], mean ? (equal + first.weights[j]) / 2 : first.weights[j], 1e-15);
       EXPECT_NEAR(third.searched[j], mean ? (equal + first.weights[j] + second.weights[j]) / 3 : second.weights[j], 1e-15);
-      EXPECT_EQ(third.weights[j], result.weights[j]) << "the ranking's weights are those of its energies";
+      EXPECT_EQ(third.weights[j], result.ranking.weights[j]) << "the ranking's weights are those of its energies";
     }
   }
 }
@@ -282,17 +287,17 @@ TEST(Compare, ResolutionIsHalfTheEnergyBetweenHalvesAndCanBeLeftOut) {
   const Comparison result = compare(recording, options);
   const HalfDistance halves(recording);
   for (std::size_t j = 0; j < kMetrics; ++j) {
-    EXPECT_NEAR(result.resolution[j], 0.5 * 20 * halves.floor()[j], 1e-12);
-    if (result.p2[j] > 0) {
-      EXPECT_GE(result.p2[j], result.resolution[j]);
+    EXPECT_NEAR(result.recording.resolution[j], 0.5 * 20 * halves.floor()[j], 1e-12);
+    if (result.ranking.p2[j] > 0) {
+      EXPECT_GE(result.ranking.p2[j], result.recording.resolution[j]);
     }
   }
   options.resolution = false;
   const Comparison literal = compare(recording, options);
   for (std::size_t j = 0; j < kMetrics; ++j) {
-    EXPECT_EQ(literal.resolution[j], 0);
-    const double a = literal.models[0].raw_energies[j], b = literal.models[1].raw_energies[j];
-    EXPECT_NEAR(literal.p2[j], std::abs(a - b), 1e-12);
+    EXPECT_EQ(literal.recording.resolution[j], 0);
+    const double a = literal.models[0].runs.raw_energies[j], b = literal.models[1].runs.raw_energies[j];
+    EXPECT_NEAR(literal.ranking.p2[j], std::abs(a - b), 1e-12);
   }
 }
 
@@ -313,7 +318,7 @@ TEST(Compare, ASpeedThatHardlyVariesIsFound) {
   options.requests.set["max_speed"] = 1500;  // where the search starts: the default would be the recorded speed, which is the answer
   options.requests.bounds["max_speed"] = {20, 2000};
   for (const char* other : {"time_horizon", "goal_radius", "goal_time"}) options.requests.fix[other] = true;  // this is about the speed
-  const FitResult fit = compare(recording, options).models.front();
+  const ModelFit fit = compare(recording, options).models.front();
   for (const ParameterResult& p : fit.parameters)
     if (p.name == "max_speed") {
       EXPECT_NEAR(p.value, 137, 1.5);
@@ -322,12 +327,13 @@ TEST(Compare, ASpeedThatHardlyVariesIsFound) {
 
 TEST(Compare, OneModelIsFittedWithEqualWeights) {
   const Comparison result = compare(test::planted_swarm(4), tiny({"bswarm"}));
-  EXPECT_EQ(result.command, "fit");
-  EXPECT_TRUE(result.weight_history.empty());
+  EXPECT_EQ(result.run.command, "fit");
+  EXPECT_TRUE(result.ranking.weight_history.empty());
   double sum = 0;
   for (std::size_t j = 0; j < kMetrics; ++j) {
-    sum += result.weights[j];
-    EXPECT_TRUE(result.weights[j] == 0 || result.weights[j] == *std::max_element(result.weights.begin(), result.weights.end()));
+    sum += result.ranking.weights[j];
+    EXPECT_TRUE(result.ranking.weights[j] == 0 ||
+                result.ranking.weights[j] == *std::max_element(result.ranking.weights.begin(), result.ranking.weights.end()));
   }
   EXPECT_NEAR(sum, 1, 1e-12);
 }
@@ -336,8 +342,8 @@ TEST(Compare, EverythingFixedStillRanks) {
   auto options = tiny({"boids"});
   for (const auto& p : options.models[0].spec->parameters) options.requests.fix[std::string(p.name)] = true;
   const Comparison result = compare(test::planted_swarm(4), options);
-  EXPECT_EQ(result.models[0].evaluations, 1);
-  EXPECT_EQ(result.models[0].stop_reason, "nothing to search");
+  EXPECT_EQ(result.models[0].search.evaluations, 1);
+  EXPECT_EQ(result.models[0].search.stop_reason, "nothing to search");
 }
 
 TEST(Compare, InterruptionLeavesNoResult) {
@@ -364,8 +370,8 @@ TEST(Compare, PosteriorIsBesideTheBestParameters) {
   auto options = tiny({"brownian[interaction=none]"});
   const Comparison plain = compare(test::planted_swarm(3), options);
   options.posterior = true;
-  const FitResult fit = compare(test::planted_swarm(3), options).models.front();
-  EXPECT_EQ(fit.raw_energies, plain.models.front().raw_energies) << "asking for it changes nothing else";
+  const ModelFit fit = compare(test::planted_swarm(3), options).models.front();
+  EXPECT_EQ(fit.runs.raw_energies, plain.models.front().runs.raw_energies) << "asking for it changes nothing else";
   EXPECT_EQ(plain.models.front().posterior.simulations, 0);
   EXPECT_GT(fit.posterior.simulations, 1000);
   EXPECT_EQ(fit.posterior.sample.size(), fit.posterior.weight.size());

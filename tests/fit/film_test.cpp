@@ -62,7 +62,7 @@ TEST(Comparison, FilmIsTheFirstFinalReplicate) {
   Conditions conditions = make_conditions(recording, options.conditions);
   const Target target(metric_samples(conditions.recording, conditions.metrics), options.binning);
   const Rng first = replicate_seeds({options.seed}, Stream::final_seeds, options.budget.final_replicates).front();
-  for (const FitResult& fit : c.models) {
+  for (const ModelFit& fit : c.models) {
     const ModelChoice model = parse_model(fit.model);
     const Tracks again = Ensemble(model, conditions).run({parameter_values(model, fit), first}).seen;
     expect_equal(fit.film, again);

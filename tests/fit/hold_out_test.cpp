@@ -45,13 +45,13 @@ TEST(HoldOut, FitsTheFirstHalfAndScoresTheSecond) {
   auto options = tiny();
   options.hold_out = true;
   const Comparison held = compare(recording, options);
-  ASSERT_TRUE(held.hold_out.used);
+  ASSERT_TRUE(held.recording.hold_out.used);
   options.hold_out = false;
   const Comparison half = compare(halves(recording).fitted, options);
   ASSERT_EQ(held.models.size(), half.models.size());
-  for (std::size_t m = 0; m < half.models.size(); ++m) EXPECT_EQ(held.models[m].raw_energies, half.models[m].raw_energies) << m;
-  EXPECT_FALSE(half.hold_out.used);
-  EXPECT_TRUE(std::isnan(half.models[0].held_out.score));
+  for (std::size_t m = 0; m < half.models.size(); ++m) EXPECT_EQ(held.models[m].runs.raw_energies, half.models[m].runs.raw_energies) << m;
+  EXPECT_FALSE(half.recording.hold_out.used);
+  EXPECT_TRUE(std::isnan(half.models[0].standing.held_out.score));
 
   // By hand: the fitted parameters under the other half's own conditions and what was learned from the first, scored with its weights.
   const Halves parts = halves(recording);
@@ -64,16 +64,17 @@ TEST(HoldOut, FitsTheFirstHalfAndScoresTheSecond) {
   Objective objective(parse_model("bswarm"), conditions, target);
   const auto& fit = held.models[0];
   ASSERT_EQ(fit.model, "bswarm");
-  objective.use_steps(fit.steps);
+  objective.use_steps(fit.runs.steps);
   const auto raw =
       objective.evaluate(parameter_values(parse_model("bswarm"), fit), replicate_seeds({options.seed}, Stream::final_seeds, 3)).raw;
-  EXPECT_EQ(fit.held_out.raw, raw);
+  EXPECT_EQ(fit.standing.held_out.raw, raw);
   double cost = -1;
   for (std::size_t j = 0; j < kMetrics; ++j)
-    if (held.weights[j] > 0 && held.p2[j] > 0) cost += held.weights[j] * (raw[j] - held.p1[j]) / held.p2[j];
-  EXPECT_NEAR(fit.held_out.score, -cost, 1e-12);
-  EXPECT_EQ(held.models[1].held_out.certainty.group, 2) << "boids is found out on either half";
-  EXPECT_GT(held.models[1].held_out.certainty.lead_lower, 0);
+    if (held.ranking.weights[j] > 0 && held.ranking.p2[j] > 0)
+      cost += held.ranking.weights[j] * (raw[j] - held.ranking.p1[j]) / held.ranking.p2[j];
+  EXPECT_NEAR(fit.standing.held_out.score, -cost, 1e-12);
+  EXPECT_EQ(held.models[1].standing.held_out.certainty.group, 2) << "boids is found out on either half";
+  EXPECT_GT(held.models[1].standing.held_out.certainty.lead_lower, 0);
 }
 
 Eigen::Array3d centre_of(const Tracks& t) { return t.pos().colwise().mean().transpose(); }

@@ -157,8 +157,9 @@ TEST_F(JournalTest, AComparisonGoesOnToTheSameResult) {
   const Comparison plain = compare(recording, options);
   const auto scores = [](const Comparison& c) {
     std::vector<double> out;
-    for (const auto& m : c.models) out.push_back(m.score), out.push_back(m.score_se), out.push_back(m.skill.value);
-    for (const auto& row : c.history) out.insert(out.end(), row.raw.begin(), row.raw.end());
+    for (const auto& m : c.models)
+      out.push_back(m.standing.score), out.push_back(m.standing.score_se), out.push_back(m.likeness.skill.value);
+    for (const auto& row : c.run.history) out.insert(out.end(), row.raw.begin(), row.raw.end());
     return out;
   };
   {

@@ -22,15 +22,22 @@ using testing::Not;
 
 const PerColumn<bool> kAllUsed = {true, true, true, true, true, true, true};
 
-FitResult named(const std::string& name, double skill, double se) {
-  FitResult r;
+ModelFit named(const std::string& name, double skill, double se) {
+  ModelFit r;
   r.model = name;
-  r.skill = {skill, se};
+  r.likeness.skill = {skill, se};
   return r;
 }
 
 std::vector<Judged> looks(const Judge& judge, const Ensemble& ensemble, const std::vector<double>& parameters, std::span<const Rng> seeds) {
   return ensemble.measured<Judged>(jobs_on(parameters, seeds), "", [&](const Run& run, std::size_t) { return judge.look(run); });
+}
+
+// What a judge makes of a comparison whose models are judged.
+void tell(const Judge& judge, Comparison& c) {
+  c.recording.skill = judge.skill();
+  c.recording.panel = judge.panel();
+  c.ranking.walk_suffices = walk_suffices(judge.skill(), c.models);
 }
 
 // A judge of a recording that bswarm planted, and the model that planted it.
@@ -43,9 +50,9 @@ struct Planted {
   std::vector<double> truth = scene_parameters(model, test::midge_parameters());
   std::vector<Rng> seeds = replicate_seeds({1}, Stream::final_seeds, 4);
 
-  FitResult judged(const Judge& judge, const std::vector<double>& parameters) const {
-    FitResult fit;
-    judge.judge(fit, looks(judge, objective.ensemble(), parameters, seeds));
+  ModelFit judged(const Judge& judge, const std::vector<double>& parameters) const {
+    ModelFit fit;
+    fit.likeness = judge.likeness(looks(judge, objective.ensemble(), parameters, seeds));
     return fit;
   }
   std::vector<double> with_gamma(double factor) const {
@@ -58,12 +65,12 @@ struct Planted {
 TEST(Judge, TruthIsNearOneAndWrongIsFarBelow) {
   const Planted planted;
   const Judge judge(planted.conditions, kAllUsed, 1);
-  const FitResult truth = planted.judged(judge, planted.truth), wrong = planted.judged(judge, planted.with_gamma(10));
-  EXPECT_GT(truth.skill.value, 0.8);
-  EXPECT_LT(truth.skill.value, 1.2);
-  EXPECT_LT(wrong.skill.value, truth.skill.value - 5 * std::hypot(truth.skill.se, wrong.skill.se));
-  EXPECT_GT(wrong.wasserstein[kSpeed], 2 * truth.wasserstein[kSpeed]);
-  for (std::size_t j = 0; j < kMetrics; ++j) EXPECT_LE(truth.total_variation[j], 1);
+  const ModelFit truth = planted.judged(judge, planted.truth), wrong = planted.judged(judge, planted.with_gamma(10));
+  EXPECT_GT(truth.likeness.skill.value, 0.8);
+  EXPECT_LT(truth.likeness.skill.value, 1.2);
+  EXPECT_LT(wrong.likeness.skill.value, truth.likeness.skill.value - 5 * std::hypot(truth.likeness.skill.se, wrong.likeness.skill.se));
+  EXPECT_GT(wrong.likeness.wasserstein[kSpeed], 2 * truth.likeness.wasserstein[kSpeed]);
+  for (std::size_t j = 0; j < kMetrics; ++j) EXPECT_LE(truth.likeness.total_variation[j], 1);
 }
 
 // The skill from the numbers of the tables alone.
@@ -74,12 +81,12 @@ TEST(Judge, SkillFollowsFromTheDistancesShown) {
   const Judge judge(planted.conditions, used, 1);
   Comparison c;
   c.models.push_back(planted.judged(judge, planted.truth));
-  judge.tell(c);
+  tell(judge, c);
   const auto mean = [&](const PerColumn<double>& x) { return (x[kSpeed] + x[kAngularVelocity] + x[kDistance]) / 3; };
-  const double floor = mean(c.skill.floor), null = mean(c.skill.null);
-  EXPECT_NEAR(c.models[0].skill.value, 1 - (mean(c.models[0].total_variation) - floor) / (null - floor), 1e-9);
-  EXPECT_TRUE(c.skill.informative[kAngularVelocity]);
-  EXPECT_FALSE(c.skill.informative[kSpeed]) << "the walker has the recorded speeds";
+  const double floor = mean(c.recording.skill.floor), null = mean(c.recording.skill.null);
+  EXPECT_NEAR(c.models[0].likeness.skill.value, 1 - (mean(c.models[0].likeness.total_variation) - floor) / (null - floor), 1e-9);
+  EXPECT_TRUE(c.recording.skill.informative[kAngularVelocity]);
+  EXPECT_FALSE(c.recording.skill.informative[kSpeed]) << "the walker has the recorded speeds";
 }
 
 // v alone tells nothing, since the walker has the recorded speeds.
@@ -88,19 +95,19 @@ TEST(Judge, SkillRestsOnAllMetricsIfThoseOfTheScoreTellNothing) {
   PerColumn<bool> speed{};
   speed[kSpeed] = true;
   Comparison c;
-  Judge(planted.conditions, speed, 1).tell(c);
-  EXPECT_EQ(c.skill.used, kAllUsed);
-  EXPECT_GT(c.skill.mean_null, c.skill.mean_floor);
+  tell(Judge(planted.conditions, speed, 1), c);
+  EXPECT_EQ(c.recording.skill.used, kAllUsed);
+  EXPECT_GT(c.recording.skill.mean_null, c.recording.skill.mean_floor);
 }
 
 TEST(Judge, BlownUpRunsCountAsDisjointAndHaveNoPanel) {
   const Planted planted;
   const Judge judge(planted.conditions, kAllUsed, 1);
-  const FitResult fit = planted.judged(judge, planted.with_gamma(1e11));
-  EXPECT_THAT(fit.total_variation, Each(1.0));
-  EXPECT_LT(fit.skill.value, 0);
-  ASSERT_EQ(fit.panel.size(), panel_plan(planted.recording).items().size());
-  for (const Estimate& e : fit.panel) EXPECT_THAT(e.value, IsNan());
+  const ModelFit fit = planted.judged(judge, planted.with_gamma(1e11));
+  EXPECT_THAT(fit.likeness.total_variation, Each(1.0));
+  EXPECT_LT(fit.likeness.skill.value, 0);
+  ASSERT_EQ(fit.likeness.panel.size(), panel_plan(planted.recording).items().size());
+  for (const Estimate& e : fit.likeness.panel) EXPECT_THAT(e.value, IsNan());
 }
 
 TEST(Judge, PanelOfTheTruthIsThatOfTheRecording) {
@@ -108,12 +115,12 @@ TEST(Judge, PanelOfTheTruthIsThatOfTheRecording) {
   const Judge judge(planted.conditions, kAllUsed, 1);
   Comparison c;
   c.models.push_back(planted.judged(judge, planted.truth));
-  judge.tell(c);
-  ASSERT_EQ(c.panel.items.size(), c.models[0].panel.size());
-  ASSERT_EQ(c.panel.recording_vacf.size(), c.panel.lags.size());
+  tell(judge, c);
+  ASSERT_EQ(c.recording.panel.items.size(), c.models[0].likeness.panel.size());
+  ASSERT_EQ(c.recording.panel.recording_vacf.size(), c.recording.panel.lags.size());
   std::size_t off = 0;
-  for (std::size_t k = 0; k < c.panel.items.size(); ++k) {
-    const Estimate &real = c.panel.recording[k], &model = c.models[0].panel[k];
+  for (std::size_t k = 0; k < c.recording.panel.items.size(); ++k) {
+    const Estimate &real = c.recording.panel.recording[k], &model = c.models[0].likeness.panel[k];
     off += std::abs(model.value - real.value) > 4 * std::hypot(real.se, model.se);
   }
   EXPECT_LE(off, 2u);
@@ -128,13 +135,13 @@ TEST(Judge, SameBitsForAnyNumberOfThreads) {
     const Judge judge(planted.conditions, kAllUsed, 1);
     results.emplace_back();
     results.back().models.push_back(planted.judged(judge, planted.truth));
-    judge.tell(results.back());
+    tell(judge, results.back());
   }
   omp_set_num_threads(before);
-  EXPECT_EQ(results[0].models[0].skill.value, results[1].models[0].skill.value);
-  EXPECT_EQ(results[0].skill.null, results[1].skill.null);
-  EXPECT_EQ(results[0].skill.interaction_p[0], results[1].skill.interaction_p[0]);
-  EXPECT_EQ(results[0].models[0].panel.back().value, results[1].models[0].panel.back().value);
+  EXPECT_EQ(results[0].models[0].likeness.skill.value, results[1].models[0].likeness.skill.value);
+  EXPECT_EQ(results[0].recording.skill.null, results[1].recording.skill.null);
+  EXPECT_EQ(results[0].recording.skill.interaction_p[0], results[1].recording.skill.interaction_p[0]);
+  EXPECT_EQ(results[0].models[0].likeness.panel.back().value, results[1].models[0].likeness.panel.back().value);
 }
 
 // Eight that go round evenly spaced, each with small orbits of its own.
@@ -151,10 +158,10 @@ TEST(Judge, SeesInteractionWhereThereIsSome) {
   const auto p_of = [](const Tracks& tracks) {
     const Conditions conditions = make_conditions(tracks, {});
     Comparison c;
-    Judge(conditions, kAllUsed, 1).tell(c);
+    tell(Judge(conditions, kAllUsed, 1), c);
     c.models.resize(1);
-    c.models[0].skill = {1, 0};
-    return std::pair(c.skill.interaction_p[0], warnings_of_skill(c));
+    c.models[0].likeness.skill = {1, 0};
+    return std::pair(c.recording.skill.interaction_p[0], warnings_of_skill(c));
   };
   const auto alone =
       p_of(test::tracks_of(test::rows_of(8, 200, 0.1, [](std::uint32_t i, double t) { return test::orbit(2, 50, 1, i, t); })));
@@ -189,18 +196,21 @@ TEST(Judge, ARandomWalkIsAnAnswer) {
   const Judge judge(conditions, kAllUsed, 1);
   Comparison c;
   c.models.emplace_back();
-  judge.judge(c.models[0],
-              looks(judge, ensemble, scene_parameters(model, {{"sigma_eta", 100}}), replicate_seeds({1}, Stream::final_seeds, 4)));
-  judge.tell(c);
-  EXPECT_EQ(c.skill.null_of, SkillNull::places);
-  EXPECT_NEAR(c.skill.walker.value, 1, 0.05);
-  EXPECT_GT(c.skill.memory_p, 0.05);
-  EXPECT_TRUE(c.skill.walk_suffices);
-  EXPECT_LT(c.models[0].skill.value, c.skill.walker.value - 0.1);
-  EXPECT_GT(c.models[0].skill.value, -1);
+  c.models[0].likeness =
+      judge.likeness(looks(judge, ensemble, scene_parameters(model, {{"sigma_eta", 100}}), replicate_seeds({1}, Stream::final_seeds, 4)));
+  tell(judge, c);
+  EXPECT_EQ(c.recording.skill.null_of, SkillNull::places);
+  EXPECT_NEAR(c.recording.skill.walker.value, 1, 0.05);
+  EXPECT_GT(c.recording.skill.memory_p, 0.05);
+  EXPECT_TRUE(c.ranking.walk_suffices);
+  EXPECT_LT(c.models[0].likeness.skill.value, c.recording.skill.walker.value - 0.1);
+  EXPECT_GT(c.models[0].likeness.skill.value, -1);
   const auto mean = [](const PerColumn<double>& x) { return mean_used(x, kAllUsed); };
-  EXPECT_NEAR(c.skill.mean_null, mean(c.skill.places), 1e-12);
-  EXPECT_NEAR(c.skill.walker.value, 1 - (mean(c.skill.null) - mean(c.skill.floor)) / (mean(c.skill.places) - mean(c.skill.floor)), 1e-9);
+  EXPECT_NEAR(c.recording.skill.mean_null, mean(c.recording.skill.places), 1e-12);
+  EXPECT_NEAR(
+      c.recording.skill.walker.value,
+      1 - (mean(c.recording.skill.null) - mean(c.recording.skill.floor)) / (mean(c.recording.skill.places) - mean(c.recording.skill.floor)),
+      1e-9);
 }
 
 // p of the random walk is uniform on random walks: of 20, one is expected at p <= 0.05, and the probability of more than five is 0.0003.
@@ -208,8 +218,8 @@ TEST(Judge, MemoryIsFoundWhereThereIsSome) {
   const auto facts_of = [](const Tracks& recording) {
     Comparison c;
     const Conditions conditions = make_conditions(recording, {});
-    Judge(conditions, kAllUsed, 1).tell(c);
-    return c.skill;
+    tell(Judge(conditions, kAllUsed, 1), c);
+    return c.recording.skill;
   };
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) found += facts_of(random_walks(seed, 6, 80)).memory_p <= 0.05;
@@ -228,11 +238,11 @@ TEST(Judge, TheWalkHasASkillWhereMotionCounts) {
   distance[kDistance] = true;
   Comparison c;
   c.models = {named("a", -1, 0.01)};
-  Judge(conditions, distance, 1).tell(c);
-  ASSERT_EQ(c.skill.used, distance);
-  EXPECT_THAT(c.skill.walker.value, IsNan());
-  EXPECT_THAT(c.skill.memory_p, IsNan());
-  EXPECT_FALSE(c.skill.walk_suffices);
+  tell(Judge(conditions, distance, 1), c);
+  ASSERT_EQ(c.recording.skill.used, distance);
+  EXPECT_THAT(c.recording.skill.walker.value, IsNan());
+  EXPECT_THAT(c.recording.skill.memory_p, IsNan());
+  EXPECT_FALSE(c.ranking.walk_suffices);
 }
 
 // On the scale of the walk: as close as that within two standard errors, or closer?
@@ -242,8 +252,8 @@ TEST(Judge, SaysWhetherAnyModelIsCloserThanTheWalk) {
   const auto suffices = [&](const std::vector<Estimate>& skills) {
     Comparison c;
     for (const Estimate& e : skills) c.models.push_back(named("a", e.value, e.se));
-    judge.tell(c);
-    return c.skill.walk_suffices;
+    tell(judge, c);
+    return c.ranking.walk_suffices;
   };
   EXPECT_TRUE(suffices({{-0.3, 0.01}, {0.15, 0.1}}));
   EXPECT_FALSE(suffices({{-0.3, 0.01}, {0.15, 0.05}}));
@@ -254,34 +264,13 @@ TEST(Judge, SaysWhetherAnyModelIsCloserThanTheWalk) {
 TEST(Judge, TellsWhatRefutesAModel) {
   const Planted planted;
   const Judge judge(planted.conditions, kAllUsed, 1);
-  EXPECT_THAT(planted.judged(judge, planted.truth).refuted_by, testing::IsEmpty());
-  FitResult fit;
-  judge.judge(fit, looks(judge, planted.objective.ensemble(), planted.with_gamma(10), replicate_seeds({1}, Stream::final_seeds, 12)));
-  ASSERT_THAT(fit.refuted_by, testing::Not(testing::IsEmpty()));
-  EXPECT_TRUE(std::any_of(fit.refuted_by.begin(), fit.refuted_by.end(), [](const Refutation& f) { return f.item.key == "speed"; }));
-}
-
-// The energies of leave_one_out_test: without d, a overtakes b.
-TEST(Judge, TellsRankingsWithoutEachModel) {
-  const Planted planted;
-  PerColumn<bool> two{};
-  two[0] = two[1] = true;
-  const Judge judge(planted.conditions, two, 1);
-  Comparison c;
-  c.observation.used = two;
-  const std::array<std::pair<const char*, std::array<double, 2>>, 4> table{
-      {{"b", {1, 0}}, {"a", {0, 4}}, {"d", {10, 1}}, {"c", {0.9, 10}}}};
-  for (const auto& [name, raw] : table) {
-    c.models.push_back(named(name, 0, 0));
-    std::copy(raw.begin(), raw.end(), c.models.back().raw_energies.begin());
-  }
-  judge.tell(c);
-  ASSERT_EQ(c.without.size(), 4u);
-  EXPECT_EQ(c.without[2].model, "d");
-  EXPECT_EQ(c.without[2].ranking.front().first, "a");
-  EXPECT_TRUE(c.without[2].reordered);
-  EXPECT_TRUE(c.without[2].winner_changed);
-  EXPECT_FALSE(c.without[0].winner_changed) << "b itself was left out";
+  EXPECT_THAT(planted.judged(judge, planted.truth).likeness.refuted_by, testing::IsEmpty());
+  ModelFit fit;
+  fit.likeness =
+      judge.likeness(looks(judge, planted.objective.ensemble(), planted.with_gamma(10), replicate_seeds({1}, Stream::final_seeds, 12)));
+  ASSERT_THAT(fit.likeness.refuted_by, testing::Not(testing::IsEmpty()));
+  EXPECT_TRUE(std::any_of(fit.likeness.refuted_by.begin(), fit.likeness.refuted_by.end(),
+                          [](const Refutation& f) { return f.item.key == "speed"; }));
 }
 
 }  // namespace

@@ -45,34 +45,35 @@ Tracks swarm(double sigma = 0) {
 
 TEST(CompareAtLags, EveryTableHasEveryColumn) {
   const Comparison c = compare(swarm(), tiny({1, 4}));
-  ASSERT_EQ(c.columns, columns_at({1, 4}));
+  ASSERT_EQ(c.recording.columns, columns_at({1, 4}));
   const std::size_t n = 12;
-  EXPECT_EQ(c.weights.size(), n);
-  EXPECT_EQ(c.p1.size(), n);
-  EXPECT_EQ(c.axis_width.size(), n);
-  EXPECT_EQ(c.observation.used.size(), n);
-  EXPECT_EQ(c.skill.floor.size(), n);
-  EXPECT_EQ(c.skill.null.size(), n);
-  EXPECT_EQ(c.history.front().raw.size(), n);
+  EXPECT_EQ(c.ranking.weights.size(), n);
+  EXPECT_EQ(c.ranking.p1.size(), n);
+  EXPECT_EQ(c.recording.axis_width.size(), n);
+  EXPECT_EQ(c.recording.observation.used.size(), n);
+  EXPECT_EQ(c.recording.skill.floor.size(), n);
+  EXPECT_EQ(c.recording.skill.null.size(), n);
+  EXPECT_EQ(c.run.history.front().raw.size(), n);
   double weight = 0, by_lag = 0;
-  for (const double w : c.weights) weight += w;
+  for (const double w : c.ranking.weights) weight += w;
   EXPECT_NEAR(weight, 1, 1e-12);
-  for (const LagFacts& l : c.lags) by_lag += l.weight;
+  for (const LagFacts& l : c.ranking.lags) by_lag += l.weight;
   EXPECT_NEAR(by_lag, 1, 1e-12);
-  ASSERT_EQ(c.lags.size(), 3u);
-  EXPECT_EQ(c.lags[1].lag, 4);
-  EXPECT_EQ(c.lags[1].scored, 5);
-  EXPECT_EQ(c.lags[2].lag, 0);
-  EXPECT_NEAR(c.lags[2].weight, c.weights[kDistance] + c.weights[kVelocityDifference], 1e-15);
-  ASSERT_EQ(c.without.size(), 3u);
-  EXPECT_EQ(c.without[0].weights.size(), n);
-  for (const FitResult& fit : c.models) {
-    for (const auto* values : {&fit.raw_energies, &fit.raw_se, &fit.energies, &fit.half_step_energies, &fit.mean_ratio, &fit.sd_ratio,
-                               &fit.outside_fraction, &fit.total_variation, &fit.wasserstein, &fit.sensitivity.without})
+  ASSERT_EQ(c.ranking.lags.size(), 3u);
+  EXPECT_EQ(c.ranking.lags[1].lag, 4);
+  EXPECT_EQ(c.ranking.lags[1].scored, 5);
+  EXPECT_EQ(c.ranking.lags[2].lag, 0);
+  EXPECT_NEAR(c.ranking.lags[2].weight, c.ranking.weights[kDistance] + c.ranking.weights[kVelocityDifference], 1e-15);
+  ASSERT_EQ(c.ranking.without.size(), 3u);
+  EXPECT_EQ(c.ranking.without[0].weights.size(), n);
+  for (const ModelFit& fit : c.models) {
+    for (const auto* values : {&fit.runs.raw_energies, &fit.runs.raw_se, &fit.standing.energies, &fit.runs.half_step_energies,
+                               &fit.runs.mean_ratio, &fit.runs.sd_ratio, &fit.runs.outside_fraction, &fit.likeness.total_variation,
+                               &fit.likeness.wasserstein, &fit.standing.sensitivity.without})
       ASSERT_EQ(values->size(), n) << fit.model;
-    for (std::size_t j = 0; j < n; ++j) EXPECT_TRUE(std::isfinite(fit.raw_energies[j])) << c.columns[j].key();
-    for (std::size_t j = kMetrics; j < n; ++j) EXPECT_LE(fit.total_variation[j], 1);
-    EXPECT_TRUE(std::isfinite(fit.skill.value));
+    for (std::size_t j = 0; j < n; ++j) EXPECT_TRUE(std::isfinite(fit.runs.raw_energies[j])) << c.recording.columns[j].key();
+    for (std::size_t j = kMetrics; j < n; ++j) EXPECT_LE(fit.likeness.total_variation[j], 1);
+    EXPECT_TRUE(std::isfinite(fit.likeness.skill.value));
   }
 }
 
@@ -99,25 +100,25 @@ TEST(CompareAtLags, SameBitsForAnyNumberOfThreads) {
   omp_set_num_threads(4);
   const Comparison many = compare(recording, tiny({}));
   omp_set_num_threads(before);
-  EXPECT_EQ(one.columns, many.columns);
-  EXPECT_EQ(one.weights, many.weights);
-  ASSERT_EQ(one.history.size(), many.history.size());
-  for (std::size_t k = 0; k < one.history.size(); ++k) EXPECT_EQ(one.history[k].raw, many.history[k].raw) << k;
+  EXPECT_EQ(one.recording.columns, many.recording.columns);
+  EXPECT_EQ(one.ranking.weights, many.ranking.weights);
+  ASSERT_EQ(one.run.history.size(), many.run.history.size());
+  for (std::size_t k = 0; k < one.run.history.size(); ++k) EXPECT_EQ(one.run.history[k].raw, many.run.history[k].raw) << k;
 }
 
 TEST(CompareAtLags, ChoosesThemByTheErrorOfEveryColumn) {
   auto options = tiny({});
   options.models.resize(1);
   const Comparison clean = compare(swarm(), options), noisy = compare(swarm(0.5), options);
-  EXPECT_THAT(lags_of(clean.columns), ElementsAre(1));
-  ASSERT_EQ(lags_of(noisy.columns).size(), 2u);
-  EXPECT_TRUE(noisy.observation.drowned[kJerk]);
-  EXPECT_TRUE(!noisy.observation.drowned[7 + kJerk] || noisy.lags[1].lag == noisy.observation.longest_lag);
-  EXPECT_GT(noisy.lags[0].error_share, 0.5);
-  EXPECT_LT(noisy.lags[1].error_share, noisy.lags[0].error_share);
+  EXPECT_THAT(lags_of(clean.recording.columns), ElementsAre(1));
+  ASSERT_EQ(lags_of(noisy.recording.columns).size(), 2u);
+  EXPECT_TRUE(noisy.recording.observation.drowned[kJerk]);
+  EXPECT_TRUE(!noisy.recording.observation.drowned[7 + kJerk] || noisy.ranking.lags[1].lag == noisy.recording.observation.longest_lag);
+  EXPECT_GT(noisy.ranking.lags[0].error_share, 0.5);
+  EXPECT_LT(noisy.ranking.lags[1].error_share, noisy.ranking.lags[0].error_share);
   // To the paper's protocol error is nothing special.
   options.error_limit = 1;
-  EXPECT_THAT(lags_of(compare(swarm(0.5), options).columns), ElementsAre(1));
+  EXPECT_THAT(lags_of(compare(swarm(0.5), options).recording.columns), ElementsAre(1));
 }
 
 // As much error again, added by hand, is what differences have to exceed in the columns that are mostly error, and only there.
@@ -141,13 +142,13 @@ TEST(CompareAtLags, WhatErrorDrownsIsScoredAndLimitsP2) {
   options.resolution = false;
   const Tracks recording = swarm(0.5);
   const Comparison floored = compare(recording, options);
-  ASSERT_TRUE(floored.observation.drowned[kJerk] && floored.observation.used[kJerk]);
-  EXPECT_GT(floored.resolution[kJerk], 0);
-  EXPECT_GE(floored.p2[kJerk], floored.resolution[kJerk]);
-  EXPECT_FALSE(floored.observation.drowned[kDistance]);
-  EXPECT_EQ(floored.resolution[kDistance], 0);
+  ASSERT_TRUE(floored.recording.observation.drowned[kJerk] && floored.recording.observation.used[kJerk]);
+  EXPECT_GT(floored.recording.resolution[kJerk], 0);
+  EXPECT_GE(floored.ranking.p2[kJerk], floored.recording.resolution[kJerk]);
+  EXPECT_FALSE(floored.recording.observation.drowned[kDistance]);
+  EXPECT_EQ(floored.recording.resolution[kDistance], 0);
   options.error_limit = 1;
-  EXPECT_EQ(compare(recording, options).resolution[kJerk], 0);
+  EXPECT_EQ(compare(recording, options).recording.resolution[kJerk], 0);
 }
 
 TEST(CompareAtLags, SaysWhenEvenTheLongestLagIsDrowned) {
@@ -164,9 +165,9 @@ TEST(CompareAtLags, TheSkillDoesWithoutLagsThatAreTooLongForIt) {
     auto options = tiny(lags);
     options.models.resize(1);
     const Comparison c = compare(swarm(), options);
-    EXPECT_TRUE(std::isfinite(c.models[0].skill.value));
+    EXPECT_TRUE(std::isfinite(c.models[0].likeness.skill.value));
     EXPECT_THAT(c.warnings, Contains(HasSubstr("The skill leaves out alpha@8, mu@8")));
-    EXPECT_GT(c.weights.back(), 0) << "the score does not";
+    EXPECT_GT(c.ranking.weights.back(), 0) << "the score does not";
   }
 }
 
@@ -180,9 +181,9 @@ TEST(CompareAtLags, RefusesLagsThatTheTracksDoNotCarry) {
 // Two recordings for which different lags were chosen.
 TEST(CompareAtLags, SummariesHaveTheColumnsOfAllRecordings) {
   Comparison one, two;
-  one.weights = PerColumn<double>(7, 1.0 / 7);
-  two.columns = columns_at({1, 8});
-  two.weights = PerColumn<double>(12, 1.0 / 12);
+  one.ranking.weights = PerColumn<double>(7, 1.0 / 7);
+  two.recording.columns = columns_at({1, 8});
+  two.ranking.weights = PerColumn<double>(12, 1.0 / 12);
   const Across a = across(std::vector<Comparison>{one, two});
   ASSERT_EQ(a.columns.size(), 12u);
   EXPECT_TRUE(std::isnan(a.weights[0][11]));

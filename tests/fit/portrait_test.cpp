@@ -14,14 +14,14 @@ TEST(Portrait, MeasuresTheTracksAndFilmsThem) {
   const Tracks demo = demo_recording();
   const Comparison c = portrait(demo);
   EXPECT_TRUE(c.models.empty());
-  EXPECT_EQ(c.data.rows, demo.rows());
+  EXPECT_EQ(c.recording.data.rows, demo.rows());
   EXPECT_EQ(c.film.rows(), demo.rows());
   const MetricSamples samples = metric_samples(demo);
-  ASSERT_EQ(c.recording.size(), kMetrics);
+  ASSERT_EQ(c.recording.distributions.size(), kMetrics);
   for (std::size_t m = 0; m < kMetrics; ++m) {
-    EXPECT_EQ(c.recording[m].histogram.samples, samples.values[m].size()) << m;
-    EXPECT_TRUE(c.defined[m]) << m;
-    EXPECT_GT(c.axis_width[m], 0) << m;
+    EXPECT_EQ(c.recording.distributions[m].histogram.samples, samples.values[m].size()) << m;
+    EXPECT_TRUE(c.recording.defined[m]) << m;
+    EXPECT_GT(c.recording.axis_width[m], 0) << m;
   }
 }
 
@@ -36,7 +36,7 @@ TEST(Portrait, OfSomebodyAloneAndStill) {
   meta.dt = 1;
   const Comparison c = portrait(Tracks(columns, meta));
   EXPECT_EQ(c.film.rows(), 2);
-  EXPECT_FALSE(c.defined[kDistance]);
+  EXPECT_FALSE(c.recording.defined[kDistance]);
 }
 
 TEST(Portrait, OfNobodyIsRefused) { EXPECT_THROW(portrait(Tracks()), InputError); }
@@ -68,17 +68,17 @@ TEST(Portrait, OfTwoBeginsBothTogether) {
   const Evaluation e = evaluate(demo, other, Binning{});
   const PairPortrait p = portrait(demo, other, e);
   const Comparison& c = p.comparison;
-  EXPECT_EQ(c.command, "evaluate");
+  EXPECT_EQ(c.run.command, "evaluate");
   ASSERT_EQ(c.models.size(), 1U);
   EXPECT_EQ(c.models[0].film.rows(), demo.rows());
   EXPECT_EQ(c.models[0].film.frames().front().number, c.film.frames().front().number);
-  EXPECT_EQ(p.simulation.first_frame, c.data.first_frame + 1000);
-  EXPECT_NEAR(p.simulation.speed, 2 * c.data.speed, 1e-9 * c.data.speed);
+  EXPECT_EQ(p.simulation.first_frame, c.recording.data.first_frame + 1000);
+  EXPECT_NEAR(p.simulation.speed, 2 * c.recording.data.speed, 1e-9 * c.recording.data.speed);
   for (std::size_t m = 0; m < kMetrics; ++m) {
-    EXPECT_EQ(c.models[0].raw_energies[m], e.raw_energies[m]) << m;
-    EXPECT_EQ(c.recording[m].histogram.samples, e.real_distribution[m].histogram.samples) << m;
-    EXPECT_EQ(c.axis_width[m], e.axis_width[m]) << m;
-    EXPECT_TRUE(c.defined[m]) << m;
+    EXPECT_EQ(c.models[0].runs.raw_energies[m], e.raw_energies[m]) << m;
+    EXPECT_EQ(c.recording.distributions[m].histogram.samples, e.real_distribution[m].histogram.samples) << m;
+    EXPECT_EQ(c.recording.axis_width[m], e.axis_width[m]) << m;
+    EXPECT_TRUE(c.recording.defined[m]) << m;
   }
 }
 

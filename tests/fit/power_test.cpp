@@ -65,7 +65,7 @@ TEST(Power, PlantsWhatWasFitted) {
   EXPECT_THAT(told, ElementsAre(0, 1, 2, 3, 4, 5));
   EXPECT_THAT(p.recovery.planted, ElementsAre("brownian", "boids"));
   ASSERT_EQ(p.recovery.cases.size(), 4u);
-  for (const FitResult& fit : p.fitted.models) {
+  for (const ModelFit& fit : p.fitted.models) {
     const std::size_t m = fit.model == "brownian" ? 0 : 1;
     EXPECT_EQ(p.recovery.parameters[m], parameter_values(parse_model(fit.model), fit));
   }

@@ -135,17 +135,17 @@ TEST(Refutations, MemoryWithAndWithoutAZero) {
 
 Comparison refuted() {
   Comparison c;
-  c.data.unit = "mm";
-  c.panel.lags = {0, 0.01, 0.02, 1.5};
+  c.recording.data.unit = "mm";
+  c.recording.panel.lags = {0, 0.01, 0.02, 1.5};
   const auto items = kPlan.items();
   c.models.resize(3);
   for (std::size_t k = 0; k < 3; ++k) {
     c.models[k].model = std::string(1, static_cast<char>('a' + k));
-    c.models[k].rank = static_cast<int>(k) + 1;
-    c.models[k].certainty.group = k < 2 ? 1 : 2;
-    c.models[k].refuted_by = {{items[item("speed")], {213, 4}, 18700, 230},
-                              {items[item("polarisation")], {0.68, 0.04}, 0.13, 0.03},
-                              {items[item("vacf_zero")], {0.47, 0.02}, NAN, NAN}};
+    c.models[k].standing.rank = static_cast<int>(k) + 1;
+    c.models[k].standing.certainty.group = k < 2 ? 1 : 2;
+    c.models[k].likeness.refuted_by = {{items[item("speed")], {213, 4}, 18700, 230},
+                                       {items[item("polarisation")], {0.68, 0.04}, 0.13, 0.03},
+                                       {items[item("vacf_zero")], {0.47, 0.02}, NAN, NAN}};
   }
   return c;
 }
@@ -157,9 +157,9 @@ TEST(WarningsOfFacts, OneSentenceForEachOfTheBest) {
                                                            "recording's 0.68 ± 0.04; its velocities keep their direction for longer than "
                                                            "1.5 s (first zero of the autocorrelation), the recording's for 0.47 ± 0.02 s"),
                                                 StartsWith("b as fitted")));
-  c.models[1].certainty.group = 2;
+  c.models[1].standing.certainty.group = 2;
   EXPECT_EQ(warnings_of_facts(c).size(), 1u);
-  c.models[0].refuted_by.clear();
+  c.models[0].likeness.refuted_by.clear();
   EXPECT_THAT(warnings_of_facts(c), IsEmpty());
 }
 

@@ -8,19 +8,12 @@
 namespace swarmfit {
 namespace {
 
-Comparison two_models() {
-  Comparison c;
-  c.weights = {0.5, 0.3, 0.2, 0, 0, 0, 0};
-  c.models.resize(2);
-  c.models[0].energies = {0, 1, 0.5, 0.1, 0.1, 0.1, 0.1};
-  c.models[1].energies = {1, 0, 0.5, 0.2, 0.2, 0.2, 0.2};
-  return c;
-}
+const PerColumn<double> kWeights = {0.5, 0.3, 0.2, 0, 0, 0, 0};
+const Energies kOne = {0, 1, 0.5, 0.1, 0.1, 0.1, 0.1}, kOther = {1, 0, 0.5, 0.2, 0.2, 0.2, 0.2};
 
 TEST(Sensitivity, ByHand) {
-  Comparison c = two_models();
-  fill_sensitivity(c);
-  const Sensitivity &a = c.models[0].sensitivity, &b = c.models[1].sensitivity;
+  const auto s = sensitivities({kOne, kOther}, kWeights);
+  const Sensitivity &a = s[0], &b = s[1];
   EXPECT_NEAR(a.without[kSpeed], 1 - (0.3 * 1 + 0.2 * 0.5) / 0.5, 1e-15);
   EXPECT_NEAR(b.without[kSpeed], 1 - 0.2 * 0.5 / 0.5, 1e-15);
   EXPECT_NEAR(a.doubled[kSpeed], 1 - (0.3 * 1 + 0.2 * 0.5) / 1.5, 1e-15);
@@ -31,28 +24,23 @@ TEST(Sensitivity, ByHand) {
 }
 
 TEST(Sensitivity, UndefinedWhereAMetricHasNoWeight) {
-  Comparison c = two_models();
-  fill_sensitivity(c);
-  EXPECT_TRUE(std::isnan(c.models[0].sensitivity.without[kJerk]));
-  EXPECT_TRUE(std::isnan(c.models[0].sensitivity.doubled[kJerk]));
-  EXPECT_EQ(c.models[0].sensitivity.rank_without[kJerk], 0);
+  const auto s = sensitivities({kOne, kOther}, kWeights);
+  EXPECT_TRUE(std::isnan(s[0].without[kJerk]));
+  EXPECT_TRUE(std::isnan(s[0].doubled[kJerk]));
+  EXPECT_EQ(s[0].rank_without[kJerk], 0);
 }
 
 TEST(Sensitivity, NothingIsLeftWithoutTheOnlyMetric) {
-  Comparison c = two_models();
-  c.weights = {1, 0, 0, 0, 0, 0, 0};
-  fill_sensitivity(c);
-  EXPECT_TRUE(std::isnan(c.models[0].sensitivity.without[kSpeed]));
-  EXPECT_EQ(c.models[0].sensitivity.rank_without[kSpeed], 0);
-  EXPECT_EQ(c.models[0].sensitivity.doubled[kSpeed], 1);
+  const auto s = sensitivities({kOne, kOther}, {1, 0, 0, 0, 0, 0, 0});
+  EXPECT_TRUE(std::isnan(s[0].without[kSpeed]));
+  EXPECT_EQ(s[0].rank_without[kSpeed], 0);
+  EXPECT_EQ(s[0].doubled[kSpeed], 1);
 }
 
 TEST(Sensitivity, EqualScoresShareARank) {
-  Comparison c = two_models();
-  c.models[1].energies = c.models[0].energies;
-  fill_sensitivity(c);
-  EXPECT_EQ(c.models[0].sensitivity.rank_without[kSpeed], 1);
-  EXPECT_EQ(c.models[1].sensitivity.rank_without[kSpeed], 1);
+  const auto s = sensitivities({kOne, kOne}, kWeights);
+  EXPECT_EQ(s[0].rank_without[kSpeed], 1);
+  EXPECT_EQ(s[1].rank_without[kSpeed], 1);
 }
 
 }  // namespace

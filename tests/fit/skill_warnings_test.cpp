@@ -14,10 +14,10 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-FitResult named(const std::string& name, double skill, double se) {
-  FitResult r;
+ModelFit named(const std::string& name, double skill, double se) {
+  ModelFit r;
   r.model = name;
-  r.skill = {skill, se};
+  r.likeness.skill = {skill, se};
   return r;
 }
 
@@ -25,14 +25,14 @@ TEST(SkillWarnings, SayWhereScoreAndSkillDisagree) {
   Comparison c;
   c.models = {named("a", 0.5, 0.01), named("b", 0.7, 0.01), named("c", 0.2, 0.01)};
   EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("by skill the order is b (0.70), a (0.50), c (0.20), which puts b before a.")));
-  c.models[1].skill.se = 0.2;  // chance could do that
+  c.models[1].likeness.skill.se = 0.2;  // chance could do that
   EXPECT_TRUE(warnings_of_skill(c).empty());
 }
 
 TEST(SkillWarnings, SayWhoDecidesTheWinner) {
   Comparison c;
   c.models = {named("a", 0.5, 0), named("b", 0.4, 0), named("c", 0.3, 0)};
-  c.without = {{"a", {}, {{"b", 1}}, false, false}, {"c", {}, {{"b", 1}, {"a", 0.9}}, true, true}};
+  c.ranking.without = {{"a", {}, {{"b", 1}}, false, false}, {"c", {}, {{"b", 1}, {"a", 0.9}}, true, true}};
   EXPECT_THAT(warnings_of_skill(c), ElementsAre("Who wins by score depends on who is compared: without c it is b."));
 }
 
@@ -45,41 +45,41 @@ TEST(SkillWarnings, UndefinedSkillIsExplained) {
 TEST(SkillWarnings, NoMemoryOfDirection) {
   Comparison c;
   c.models = {named("a", 0.97, 0.01), named("b", 0.9, 0.01)};
-  c.skill.surrogates = 99;
-  c.skill.memory_p = 0.43;
-  c.skill.walk_suffices = true;
-  c.skill.null_of = SkillNull::places;
+  c.recording.skill.surrogates = 99;
+  c.recording.skill.memory_p = 0.43;
+  c.ranking.walk_suffices = true;
+  c.recording.skill.null_of = SkillNull::places;
   EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("No detectable memory of direction: the recording is like random walks made of "
                                                           "its own steps (p = 0.43 among 99)"),
                                                 HasSubstr("skill is measured from a coarser null: 0 is no closer than its own places")));
-  c.skill.memory_p = 0.05;
-  c.skill.null_of = SkillNull::steps;
-  c.skill.walker = {0, 0.01};
+  c.recording.skill.memory_p = 0.05;
+  c.recording.skill.null_of = SkillNull::steps;
+  c.recording.skill.walker = {0, 0.01};
   c.models = {named("a", -0.4, 0.01), named("b", -0.1, 0.02)};
   EXPECT_THAT(warnings_of_skill(c), Contains("No model is closer to the recording than a random walk made of its own steps (skill 0.00; b, "
                                              "the best, -0.10 ± 0.02)."));
-  c.skill.walk_suffices = false;
+  c.ranking.walk_suffices = false;
   EXPECT_THAT(warnings_of_skill(c), Not(Contains(HasSubstr("random walk"))));
 }
 
 TEST(SkillWarnings, RejectedAndYetAsCloseAsHalves) {
   Comparison c;
-  c.laws = 99;
+  c.ranking.laws = 99;
   c.models = {named("a", 0.97, 0.01)};
-  c.skill.mean_floor = 0.1;
-  c.skill.mean_floor_sd = 0.01;
-  c.skill.mean_null = 0.5;  // so that the floor is uncertain by .025 of the scale
-  c.models[0].certainty.goodness_p = 0.01;
+  c.recording.skill.mean_floor = 0.1;
+  c.recording.skill.mean_floor_sd = 0.01;
+  c.recording.skill.mean_null = 0.5;  // so that the floor is uncertain by .025 of the scale
+  c.models[0].standing.certainty.goodness_p = 0.01;
   EXPECT_THAT(warnings_of_skill(c),
               ElementsAre(HasSubstr("a is rejected although its skill is 0.97: metric by metric it is about as close as "
                                     "two halves of the recording")));
   EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("(fit p ≤ 0.01)")));
-  c.models[0].skill.value = 0.96;
+  c.models[0].likeness.skill.value = 0.96;
   EXPECT_THAT(warnings_of_skill(c), IsEmpty());
-  c.models[0].skill.value = 1.1;
-  c.models[0].certainty.goodness_p = 0.04;
+  c.models[0].likeness.skill.value = 1.1;
+  c.models[0].standing.certainty.goodness_p = 0.04;
   EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("(fit p = 0.04)")));
-  c.models[0].certainty.goodness_p = 0.06;
+  c.models[0].standing.certainty.goodness_p = 0.06;
   EXPECT_THAT(warnings_of_skill(c), IsEmpty());
 }
 
@@ -92,9 +92,9 @@ TEST(SkillWarnings, IdentifiedInteractionWhereNoneIsDetected) {
   strength.posterior.verdict = drag.posterior.verdict = "identified";
   range.posterior.verdict = "flat";
   c.models[0].parameters = {strength, range, drag};
-  c.skill.interaction_p[0] = 0.3, c.skill.interaction_p[1] = 0.04;
+  c.recording.skill.interaction_p[0] = 0.3, c.recording.skill.interaction_p[1] = 0.04;
   EXPECT_THAT(warnings_of_skill(c), IsEmpty());
-  c.skill.interaction_p[1] = 0.9;
+  c.recording.skill.interaction_p[1] = 0.9;
   EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("No detectable interaction"),
                                                 HasSubstr("brownian: C_r is called identified although no interaction is detectable.")));
   c.models[0].parameters[1].posterior.verdict = "identified";

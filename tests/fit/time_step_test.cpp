@@ -111,8 +111,8 @@ TEST(TimeStep, AsManyAsAskedFor) {
   options.budget = {"tiny", {6, 3, 1}, {4, 1, 1}, 2, 2, 1};
   options.laws = 0;
   options.conditions.steps = 3;
-  for (const FitResult& fit : compare(test::planted_swarm(1), options).models)
-    EXPECT_EQ(fit.steps, fit.model == "vicsek" ? 1 : 3) << fit.model;
+  for (const ModelFit& fit : compare(test::planted_swarm(1), options).models)
+    EXPECT_EQ(fit.runs.steps, fit.model == "vicsek" ? 1 : 3) << fit.model;
 }
 
 }  // namespace

@@ -25,21 +25,21 @@ Pair sample() {
   Evaluation& e = out.evaluation;
   Comparison& c = out.portrait.comparison;
   c = sample_comparison();
-  c.command = "evaluate";
+  c.run.command = "evaluate";
   c.models = {c.models[1]};
   c.models.front().model = "simulation";
-  c.models.front().raw_energies = e.raw_energies = {0.5, 0.25, 1.5, NAN, 0.75, 1, 1.25};
+  c.models.front().runs.raw_energies = e.raw_energies = {0.5, 0.25, 1.5, NAN, 0.75, 1, 1.25};
   e.real = c.film.meta();
   e.simulated = c.models.front().film.meta();
-  e.real.from.path = c.data.path;
+  e.real.from.path = c.recording.data.path;
   e.simulated.from.path = "simulated.csv";
-  e.axis_lower = c.axis_lower;
-  e.axis_width = c.axis_width;
-  e.real_distribution = c.recording;
-  e.simulated_distribution = c.models.front().distributions;
+  e.axis_lower = c.recording.axis_lower;
+  e.axis_width = c.recording.axis_width;
+  e.real_distribution = c.recording.distributions;
+  e.simulated_distribution = c.models.front().runs.distributions;
   e.real_order = {0.125, 0.25, 131};
   e.simulated_order = {0.875, 0.5, 147};
-  out.portrait.simulation = c.data;
+  out.portrait.simulation = c.recording.data;
   out.portrait.simulation.path = "simulated.csv";
   out.portrait.simulation.synthetic = true;
   return out;
@@ -91,14 +91,14 @@ TEST(EvaluationPage, HasPlayerChartsMethodsAndCommand) {
 TEST(EvaluationPage, SaysWhoseVelocitiesAreMeasured) {
   Pair p = sample();
   EXPECT_THAT(page_of(p), Not(HasSubstr("Velocities are the files")));
-  p.portrait.comparison.observation.velocity = "recorded";
+  p.portrait.comparison.recording.observation.velocity = "recorded";
   EXPECT_THAT(page_of(p), HasSubstr("Velocities are the files&#39; own."));
 }
 
 TEST(EvaluationPage, HostileTextStaysText) {
   constexpr const char* kHostile = "</title></script><img src=x onerror=\"alert('1')\">";
   Pair p = sample();
-  p.portrait.comparison.data.path = p.portrait.comparison.data.unit = p.portrait.simulation.path = kHostile;
+  p.portrait.comparison.recording.data.path = p.portrait.comparison.recording.data.unit = p.portrait.simulation.path = kHostile;
   p.portrait.simulation.notes = {kHostile};
   p.portrait.simulation.columns = p.evaluation.real.unit = p.evaluation.simulated.from.path = kHostile;
   const std::string page = evaluation_html(p.evaluation, p.portrait, kHostile, kHostile);

@@ -80,7 +80,7 @@ TEST(Figures, EqualValuesGiveEqualBytes) {
 TEST(Figures, HostileTextIsShown) {
   const std::string hostile = "</text><script>alert(1)</script>&\x01\xff\xc0\"'";
   Comparison c = sample_comparison({{hostile, 0.9, 0.01, 1.1}, {"boids", 0.5, 0.01, 1.3}});
-  c.data.unit = c.data.path = c.version = hostile;
+  c.recording.data.unit = c.recording.data.path = c.run.version = hostile;
   for (ParameterResult& p : c.models[0].parameters) p.name = p.unit = hostile;
   const std::vector<Figure> all = figures(c);
   for (const Figure& f : all) EXPECT_FALSE(holds(f.svg, "<script>")) << f.name;
@@ -90,13 +90,13 @@ TEST(Figures, HostileTextIsShown) {
 
 TEST(Figures, WhatIsUndefinedIsLeftOutAndSaid) {
   Comparison c = sample_comparison();
-  FitResult& r = c.models[1];
-  r.score = r.certainty.lower = r.certainty.upper = NAN;
-  r.raw_energies[kJerk] = r.raw_se[kSpeed] = NAN;
-  r.distributions[kSpeed] = {};
+  ModelFit& r = c.models[1];
+  r.standing.score = r.standing.certainty.lower = r.standing.certainty.upper = NAN;
+  r.runs.raw_energies[kJerk] = r.runs.raw_se[kSpeed] = NAN;
+  r.runs.distributions[kSpeed] = {};
   r.parameters[0].value = NAN;
-  for (ConvergencePoint& p : r.convergence) p.best = -INFINITY;
-  c.recording[kDistance] = {};
+  for (ConvergencePoint& p : r.search.convergence) p.best = -INFINITY;
+  c.recording.distributions[kDistance] = {};
   const std::vector<Figure> all = figures(c);
   for (const Figure& f : all) EXPECT_FALSE(holds(f.svg, "[^a-z](nan|inf)[^a-z]")) << f.name;
   EXPECT_THAT(named(all, "density_v").svg, HasSubstr(">No samples of v: bswarm[noise=perlin].</text>"));
@@ -136,10 +136,10 @@ TEST(Figures, NoMoreThanEightCurvesInAPanel) {
 // The peak of the sample's speed: of the recording the area's highest point, of a narrow model beyond twice that.
 TEST(Figures, APeakBeyondTwiceTheRecordingsIsCutAndSaid) {
   Comparison c = sample_comparison();
-  Histogram& h = c.models[3].distributions[kSpeed].histogram;
+  Histogram& h = c.models[3].runs.distributions[kSpeed].histogram;
   std::fill(h.counts.begin(), h.counts.end(), 0);
   h.counts[50] = h.samples = 60000;
-  c.models[2].outside_fraction[kDistance] = 0.12;
+  c.models[2].runs.outside_fraction[kDistance] = 0.12;
   const std::vector<Figure> all = figures(c);
   EXPECT_THAT(named(all, "densities").caption, AllOf(HasSubstr("Cut at 2 times the recording's peak: v (boids)"),
                                                      HasSubstr("Samples beyond the binned interval: d of bswarm[noise=gaussian] (12 %).")));
@@ -152,8 +152,8 @@ TEST(Figures, EveryModelHasItsIntervalAndLetter) {
   EXPECT_THAT(svg, AllOf(HasSubstr(">0.912</text>"), HasSubstr(">a</text>"), HasSubstr(">bswarm[noise=white]</text>"),
                          HasSubstr("score, 95 % interval")));
   Comparison held_out = sample_comparison();
-  held_out.hold_out = {true, 1, 240, 261, 500};
-  for (FitResult& r : held_out.models) r.held_out = {r.score - 0.1, r.raw_energies, r.certainty};
+  held_out.recording.hold_out = {true, 1, 240, 261, 500};
+  for (ModelFit& r : held_out.models) r.standing.held_out = {r.standing.score - 0.1, r.runs.raw_energies, r.standing.certainty};
   EXPECT_THAT(named(figures(held_out), "scores").svg, HasSubstr("hollow: held out"));
 }
 

@@ -102,12 +102,13 @@ TEST(Report, ScriptsEndWhereTheyShould) {
 
 TEST(Report, HostileTextIsShownAndNeverRuns) {
   Comparison c = sample_comparison({{kHostile, 0.9, NAN, 1.1}, {"boids", NAN, NAN, 1.3}});
-  c.data.path = c.data.unit = c.data.sha256 = c.data.columns = c.version = c.budget.name = kHostile;
+  c.recording.data.path = c.recording.data.unit = c.recording.data.sha256 = c.recording.data.columns = c.run.version = c.run.budget.name =
+      kHostile;
   c.warnings = {kHostile};
-  c.observation.why_not.fill(kHostile);
-  c.models[0].citation = c.models[0].summary = c.models[0].stop_reason = kHostile;
+  c.recording.observation.why_not.fill(kHostile);
+  c.models[0].citation = c.models[0].summary = c.models[0].search.stop_reason = kHostile;
   for (ParameterResult& p : c.models[0].parameters) p.name = p.symbol = p.unit = p.meaning = kHostile;
-  c.config = {{"DATA", kHostile}};
+  c.run.config = {{"DATA", kHostile}};
   TrackMeta meta = c.film.meta();
   meta.unit = kHostile;
   c.film = Tracks({{"a"}, {0}, {1}, Rows::Zero(1, 3), {}, {}, {}, {}}, meta);
@@ -122,13 +123,13 @@ TEST(Report, HostileTextIsShownAndNeverRuns) {
 
 TEST(Report, UndefinedNumbersAreDashesAndNulls) {
   Comparison c = sample_comparison();
-  FitResult& r = c.models[1];
-  r.score = r.score_se = r.infeasible_avoidance = NAN;
-  r.rank = 0;
-  r.raw_energies.fill(NAN);
-  r.raw_se.fill(INFINITY);
-  r.convergence[0].best = -INFINITY;
-  r.distributions = {};
+  ModelFit& r = c.models[1];
+  r.standing.score = r.standing.score_se = r.runs.infeasible_avoidance = NAN;
+  r.standing.rank = 0;
+  r.runs.raw_energies.fill(NAN);
+  r.runs.raw_se.fill(INFINITY);
+  r.search.convergence[0].best = -INFINITY;
+  r.runs.distributions = {};
   const std::string page = report_html(c);
   const json data = data_of(page);
   EXPECT_TRUE(data["models"][1]["energies"][0].is_null());
@@ -163,7 +164,7 @@ TEST(Report, EmptyComparisonStillMakesAPage) { EXPECT_THAT(report_html(Compariso
 TEST(Report, SyntheticDataAreLabelled) {
   Comparison c = sample_comparison();
   EXPECT_THAT(markup_of(report_html(c)), Not(HasSubstr("synthetic data")));
-  c.data.synthetic = true;
+  c.recording.data.synthetic = true;
   EXPECT_THAT(markup_of(report_html(c)), HasSubstr("class=\"badge\">synthetic data<"));
 }
 

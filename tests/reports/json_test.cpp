@@ -101,10 +101,10 @@ TEST(ResultsJson, HowSureEveryPlaceIs) {
 
 TEST(ResultsJson, UndefinedNumbersAreNull) {
   Comparison c = sample_comparison();
-  c.models[0].certainty = {};
-  c.models[1].raw_energies[kJerk] = NAN;
-  c.models[2].mean_ratio[kSpeed] = INFINITY;
-  c.models[4].rank = 0;
+  c.models[0].standing.certainty = {};
+  c.models[1].runs.raw_energies[kJerk] = NAN;
+  c.models[2].runs.mean_ratio[kSpeed] = INFINITY;
+  c.models[4].standing.rank = 0;
   const std::string text = to_json(c);
   const json j = json::parse(text);
   for (const char* key : {"group", "set_p", "gof_p"}) EXPECT_TRUE(j["models"][0][key].is_null()) << key;
@@ -119,7 +119,7 @@ TEST(ResultsJson, DoublesAndSeedsReadBackUnchanged) {
   Comparison c = sample_comparison();
   const std::vector<double> awkward = {0.1, 1.0 / 3, 5e-324, 1.7976931348623157e308, -0.0, 123456789.123456789, 1e23};
   for (const double value : awkward) {
-    c.p1[kSpeed] = value;
+    c.ranking.p1[kSpeed] = value;
     const double back = json::parse(to_json(c))["p1"]["v"];
     EXPECT_EQ(std::signbit(back), std::signbit(value));
     EXPECT_EQ(back, value);
@@ -131,7 +131,7 @@ TEST(ResultsJson, EqualValuesGiveEqualBytes) { EXPECT_EQ(to_json(sample_comparis
 
 TEST(ResultsJson, BytesThatAreNotUtf8AreReplaced) {
   Comparison c = sample_comparison();
-  c.data.path = "a\xff\"b\x01";
+  c.recording.data.path = "a\xff\"b\x01";
   EXPECT_EQ(json::parse(to_json(c))["data"]["path"], "a\xEF\xBF\xBD\"b\x01");
 }
 
@@ -149,16 +149,16 @@ TEST(WeightsJson, HasTheKeysOfTheDesign) {
 TEST(EvaluationJson, HasTheKeysOfTheDesign) {
   const Comparison c = sample_comparison();
   Evaluation e;
-  e.binning = c.binning;
-  e.raw_energies = c.models[0].raw_energies;
-  e.real_distribution = c.recording;
-  e.simulated_distribution = c.models[0].distributions;
+  e.binning = c.recording.binning;
+  e.raw_energies = c.models[0].runs.raw_energies;
+  e.real_distribution = c.recording.distributions;
+  e.simulated_distribution = c.models[0].runs.distributions;
   const json j = json::parse(to_json(e));
   EXPECT_EQ(j["normalisation"], "reference");
   EXPECT_EQ(j["bins"], 150);
   EXPECT_EQ(j["interval"], json::array({-5, 10}));
   EXPECT_DOUBLE_EQ(j["mean_ratio"]["v"], 1.04);
-  EXPECT_EQ(j["samples"]["real"]["v"], c.recording[kSpeed].histogram.samples);
+  EXPECT_EQ(j["samples"]["real"]["v"], c.recording.distributions[kSpeed].histogram.samples);
   EXPECT_EQ(j["raw_energies"]["d"], e.raw_energies[kDistance]);
 }
 

@@ -48,10 +48,10 @@ TEST(LagWords, SayWhichLagCarriedTheDecision) {
             "metric's variance at lag 1, 10 % at lag 4 and 2 % at lag 16.");
   EXPECT_THAT(lags_measured(sample_comparison()), HasSubstr("Motion is measured at lag 1 (0.01 s)."));
   Comparison unknown = sample_at_lags();
-  unknown.observation.sigma.setZero();
+  unknown.recording.observation.sigma.setZero();
   EXPECT_THAT(lags_measured(unknown), Not(HasSubstr("Localisation error")));
   Comparison unweighted = sample_at_lags();
-  for (LagFacts& l : unweighted.lags) l.weight = NAN;
+  for (LagFacts& l : unweighted.ranking.lags) l.weight = NAN;
   EXPECT_THAT(lag_weights(unweighted), IsEmpty());
   EXPECT_THAT(lag_weights(Comparison{}), IsEmpty());
   EXPECT_THAT(lags_measured(Comparison{}), IsEmpty());

@@ -38,15 +38,15 @@ TEST(Methods, SayWhatWasKeptFixed) {
 
 TEST(Methods, SayHowRunsWereCompared) {
   Comparison c = sample_comparison();
-  c.binning.pooled = false;
+  c.recording.binning.pooled = false;
   EXPECT_THAT(methods_markdown(c), HasSubstr("energy score of the recording"));
-  c.binning.pooled = true;
+  c.recording.binning.pooled = true;
   EXPECT_THAT(methods_markdown(c), HasSubstr("all replicates pooled"));
 }
 
 TEST(Methods, NamesStayText) {
   Comparison c = sample_comparison();
-  c.data.path = "a_b&<i>\"c'.txt";
+  c.recording.data.path = "a_b&<i>\"c'.txt";
   EXPECT_THAT(methods_markdown(c), HasSubstr("frames of a\\_b&\\<i>\"c'.txt"));
   EXPECT_THAT(methods_latex(c), HasSubstr("frames of a\\_b\\&$<$i$>$''c'.txt"));
   EXPECT_THAT(report_html(c), HasSubstr("frames of a_b&amp;&lt;i&gt;"));

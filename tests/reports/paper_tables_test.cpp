@@ -67,15 +67,15 @@ TEST(PaperTables, WideTablesTakeBothColumnsOfAPage) {
 
 TEST(PaperTables, TheRankingHasGroupsSkillAndTheHeldOutHalf) {
   Comparison c = sample_comparison();
-  c.models[0].skill = {-0.07, 0.02};
+  c.models[0].likeness.skill = {-0.07, 0.02};
   PaperTable t = paper_tables(c).front();
-  EXPECT_THAT(t.head, testing::ElementsAre("model", "rank", "score", "95 %", "group", "fit p", "skill", "candidates"));
-  EXPECT_THAT(t.rows[0], testing::ElementsAre("bswarm", "1", "0.912", "0.88 to 0.93", "a", "0.50", "−0.07 ± 0.02", "2423"));
-  c.hold_out = {true, 1, 240, 261, 500};
-  c.models[0].held_out.score = 0.712;
+  EXPECT_THAT(t.head, testing::ElementsAre("model", "rank", "score", "95 %", "fit p", "skill", "candidates"));
+  EXPECT_THAT(t.rows[0], testing::ElementsAre("bswarm", "1 a", "0.912", "0.88 to 0.93", "0.50", "−0.07 ± 0.02", "2423"));
+  c.recording.hold_out = {true, 1, 240, 261, 500};
+  c.models[0].standing.held_out.score = 0.712;
   t = paper_tables(c).front();
-  EXPECT_EQ(t.rows[0][7], "0.712");
-  EXPECT_EQ(t.rows[0][8], "0.200");
+  EXPECT_EQ(t.rows[0][6], "0.712");
+  EXPECT_EQ(t.rows[0][7], "0.200");
   EXPECT_THAT(t.caption, HasSubstr("frames 261 to 500"));
 }
 

@@ -61,7 +61,7 @@ TEST(PowerPage, ShowsBothMatrices) {
 
 TEST(PowerPage, HostileTextStaysText) {
   Power p = sample();
-  p.fitted.data.path = p.fitted.data.unit = p.fitted.warnings.front() = "</title></script><img src=x>";
+  p.fitted.recording.data.path = p.fitted.recording.data.unit = p.fitted.warnings.front() = "</title></script><img src=x>";
   const std::string page = power_html(p, {{"data", "<img>"}});
   EXPECT_THAT(page, Not(HasSubstr("<img")));
   EXPECT_THAT(page, HasSubstr("&lt;img src=x&gt;"));

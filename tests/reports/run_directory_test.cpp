@@ -67,7 +67,7 @@ TEST_F(RunDirectory, SameResultSameBytes) {
 TEST_F(RunDirectory, ReplacesAnEarlierRun) {
   write_run(dir(), sample_comparison());
   Comparison other = sample_comparison();
-  other.seed = 7;
+  other.run.seed = 7;
   write_run(dir(), other);
   EXPECT_EQ(read_file(dir() + "/results.json"), to_json(other));
 }
@@ -133,9 +133,9 @@ TEST_F(RunDirectory, AcceptsNewAndEmptyFolders) {
 
 TEST(ConfigToml, HoldsEverySettingAsItWasGiven) {
   Comparison c;
-  c.command = "compare";
-  c.config = {{"DATA", "\"a \\\"b\\\".txt\""}, {"model", "[\"bswarm\", \"boids\"]"}, {"seed", "1"}};
-  EXPECT_EQ(config_toml(c.command, c.config),
+  c.run.command = "compare";
+  c.run.config = {{"DATA", "\"a \\\"b\\\".txt\""}, {"model", "[\"bswarm\", \"boids\"]"}, {"seed", "1"}};
+  EXPECT_EQ(config_toml(c.run.command, c.run.config),
             "# A run of swarmfit: `swarmfit compare --config config.toml --out NEW_FOLDER` repeats it.\n"
             "[compare]\nDATA = \"a \\\"b\\\".txt\"\nmodel = [\"bswarm\", \"boids\"]\nseed = 1\n");
 }

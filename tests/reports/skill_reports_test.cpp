@@ -41,7 +41,7 @@ TEST(SkillTables, OneRowEach) {
   EXPECT_THAT(skill[1], testing::EndsWith(",0.021,0.004,0.02,0.9,false,,"));
   EXPECT_EQ(lines(c, "leave_one_out.csv").size(), 1u + 5 * 4);
   EXPECT_EQ(lines(c, "leave_one_out.csv")[1], "bswarm,1,bswarm[noise=perlin],0.781,false");
-  EXPECT_EQ(lines(c, "panel.csv").size(), 1u + 6 * c.panel.items.size());
+  EXPECT_EQ(lines(c, "panel.csv").size(), 1u + 6 * c.recording.panel.items.size());
   EXPECT_EQ(lines(c, "panel.csv")[1], "recording,sd_x,mm,1.5,0.1");
   EXPECT_EQ(lines(c, "vacf.csv").size(), 1u + 4);
   for (const auto& line : skill) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 11) << line;
@@ -50,7 +50,7 @@ TEST(SkillTables, OneRowEach) {
 
 TEST(SkillJson, EveryNumberOfTheResult) {
   Comparison c = sample_comparison();
-  c.models[1].skill = {};
+  c.models[1].likeness.skill = {};
   const auto j = json::parse(to_json(c));
   EXPECT_EQ(j["floor"]["d"], 0.04);
   EXPECT_EQ(j["null"]["omega"], 0.73);
@@ -74,16 +74,16 @@ TEST(SkillJson, EveryNumberOfTheResult) {
   EXPECT_NEAR(j["models"][0]["skill"].get<double>(), 0.812, 1e-12);
   EXPECT_NEAR(j["models"][0]["skill_ci"][0].get<double>(), 0.812 - 1.96 * 0.02, 1e-12);
   EXPECT_TRUE(j["models"][1]["skill"].is_null());
-  EXPECT_EQ(j["models"][0]["observables"]["kurtosis"]["value"], 1.04 * c.panel.recording.back().value);
-  EXPECT_EQ(j["models"][0]["wasserstein"]["v"], c.models[0].wasserstein[kSpeed]);
+  EXPECT_EQ(j["models"][0]["observables"]["kurtosis"]["value"], 1.04 * c.recording.panel.recording.back().value);
+  EXPECT_EQ(j["models"][0]["wasserstein"]["v"], c.models[0].likeness.wasserstein[kSpeed]);
   EXPECT_EQ(j["models"][0]["vacf"]["value"].size(), 4u);
 }
 
 TEST(SkillJson, WhatRefutesAModelAndWhichNullTheScaleHas) {
   Comparison c = sample_comparison();
-  c.models[1].refuted_by = {{c.panel.items[4], {NAN, NAN}, 0.4, 0.01}, {c.panel.items[3], {213, 4}, 99, 2}};
+  c.models[1].likeness.refuted_by = {{c.recording.panel.items[4], {NAN, NAN}, 0.4, 0.01}, {c.recording.panel.items[3], {213, 4}, 99, 2}};
   c.models[0].parameters[0].interaction = true;
-  c.skill.null_of = SkillNull::places;
+  c.recording.skill.null_of = SkillNull::places;
   auto j = json::parse(to_json(c));
   EXPECT_EQ(j["models"][0]["refuted_by"].size(), 0u);
   const auto& facts = j["models"][1]["refuted_by"];
@@ -98,7 +98,7 @@ TEST(SkillJson, WhatRefutesAModelAndWhichNullTheScaleHas) {
   EXPECT_EQ(j["models"][0]["parameters"]["gamma"]["interaction"], true);
   EXPECT_EQ(j["models"][0]["parameters"]["chi_att"]["interaction"], false);
   EXPECT_EQ(j["skill_scale"]["null_of"], "places");
-  c.skill.null_of = SkillNull::none;
+  c.recording.skill.null_of = SkillNull::none;
   EXPECT_TRUE(json::parse(to_json(c))["skill_scale"]["null_of"].is_null());
 }
 
@@ -109,8 +109,8 @@ TEST(SkillReports, TheRandomWalkStandsBesideTheModels) {
   EXPECT_THAT(legend(), HasSubstr("\n       random walk of its own steps                               0.00\n"));
   EXPECT_THAT(legend(), HasSubstr("0 no closer than a random\n walk of its own steps (in d and η: than its tracks shifted in time)."));
   EXPECT_THAT(report_html(c), HasSubstr("0.00 ± 0.00"));
-  c.skill.null_of = SkillNull::places;
-  c.skill.walker = {0.98, 0.01};
+  c.recording.skill.null_of = SkillNull::places;
+  c.recording.skill.walker = {0.98, 0.01};
   EXPECT_THAT(legend(), HasSubstr("random walk of its own steps                               0.98\n"));
   EXPECT_THAT(legend(), HasSubstr("0 no closer than its own\n places in random order."));
   const auto page = report_html(c);
@@ -118,8 +118,8 @@ TEST(SkillReports, TheRandomWalkStandsBesideTheModels) {
   EXPECT_THAT(page, HasSubstr("its places in random order (null)"));
   const auto skill = lines(c, "skill.csv");
   EXPECT_THAT(skill[8], testing::EndsWith(",0.03,0.003,,0.28,,0.812,0.02"));
-  c.skill.walker = {};
-  c.skill.null_of = SkillNull::steps;  // on d and eta alone
+  c.recording.skill.walker = {};
+  c.recording.skill.null_of = SkillNull::steps;  // on d and eta alone
   EXPECT_THAT(legend(), testing::Not(HasSubstr("random walk of its own steps")));
   EXPECT_THAT(legend(), HasSubstr("0 no closer than its\n tracks shifted in time."));
 }
@@ -131,7 +131,7 @@ TEST(SkillTerminal, SkillBesideTheScoreAndASmallPanel) {
   EXPECT_THAT(text, HasSubstr("not fitted"));
   EXPECT_THAT(text, HasSubstr("d/Poisson"));
   auto none = sample_comparison();
-  for (auto& m : none.models) m.skill = {};
+  for (auto& m : none.models) m.likeness.skill = {};
   EXPECT_THAT(ranking_text(none, {}), testing::Not(HasSubstr("skill: ")));
 }
 

@@ -60,27 +60,27 @@ TEST(Tables, RawEnergiesHoldOnlyMetricsThatCount) {
 
 TEST(Tables, UndefinedIsEmpty) {
   Comparison c = sample_comparison();
-  c.models[0].score_se = NAN;
-  c.models[0].rank = 0;
+  c.models[0].standing.score_se = NAN;
+  c.models[0].standing.rank = 0;
   EXPECT_THAT(lines(table(c, "ranking.csv"))[1], StartsWith(",bswarm,0.912,,"));
 }
 
 TEST(Tables, DensityIntegratesToOne) {
   const Comparison c = sample_comparison();
   for (std::size_t m = 0; m < kMetrics; ++m) {
-    const auto q = physical_density(c.recording[m].histogram, c.axis_width[m]);
-    EXPECT_NEAR(std::accumulate(q.begin(), q.end(), 0.0) * c.axis_width[m], 1, 1e-12);
+    const auto q = physical_density(c.recording.distributions[m].histogram, c.recording.axis_width[m]);
+    EXPECT_NEAR(std::accumulate(q.begin(), q.end(), 0.0) * c.recording.axis_width[m], 1, 1e-12);
   }
   EXPECT_TRUE(physical_density({}, 1).empty());
 }
 
 TEST(Tables, PdfRowsCarryPhysicalBinCentres) {
   Comparison c = sample_comparison();
-  const std::size_t bins = c.recording[kSpeed].histogram.counts.size();
-  c.band.lower.assign(c.columns.size(), {});
-  c.band.upper = c.band.lower;
-  c.band.lower[kSpeed].assign(bins, 0.0);
-  c.band.upper[kSpeed].assign(bins, 0.49 * c.axis_width[kSpeed]);
+  const std::size_t bins = c.recording.distributions[kSpeed].histogram.counts.size();
+  c.ranking.band.lower.assign(c.recording.columns.size(), {});
+  c.ranking.band.upper = c.ranking.band.lower;
+  c.ranking.band.lower[kSpeed].assign(bins, 0.0);
+  c.ranking.band.upper[kSpeed].assign(bins, 0.49 * c.recording.axis_width[kSpeed]);
   const auto rows = lines(table(c, "pdfs.csv"));
   EXPECT_EQ(rows[0],
             "metric,unit,centre,recording,bswarm,bswarm[noise=perlin],bswarm[noise=gaussian],boids,bswarm[noise=white],band_lower,"
@@ -92,13 +92,13 @@ TEST(Tables, PdfRowsCarryPhysicalBinCentres) {
 
 TEST(Tables, ModelWithoutSamplesLeavesItsDensityEmpty) {
   Comparison c = sample_comparison();
-  c.models[4].distributions[kSpeed] = {};
+  c.models[4].runs.distributions[kSpeed] = {};
   EXPECT_THAT(lines(table(c, "pdfs.csv"))[1], testing::EndsWith(",,,"));  // nor is there a band
 }
 
 TEST(History, ParametersAreOneColumn) {
   Comparison c = sample_comparison();
-  c.history[0].raw[kJerk] = NAN;
+  c.run.history[0].raw[kJerk] = NAN;
   const auto rows = lines(history_csv(c));
   ASSERT_EQ(rows.size(), 6u);
   EXPECT_EQ(rows[0], "model,pass,phase,replicates,failed,v,a,omega,alpha,mu,d,eta,parameters");

@@ -47,12 +47,12 @@ TEST(RankingText, ShowsScoresEnergiesWeightsAndWarnings) {
 TEST(RankingText, ShowsWhatIsKeptFixed) {
   Comparison c = sample_comparison();
   EXPECT_THAT(ranking_text(c, {}), HasSubstr(" kept fixed: bswarm, bswarm[noise=perlin]"));
-  for (FitResult& r : c.models)
+  for (ModelFit& r : c.models)
     for (int k = 0; k < 9; ++k) r.parameters.push_back({"parameter_" + r.model, "", "mm/s^2", "", 0.25, 0.25, 0.25, false, false, false});
   EXPECT_LE(widest(ranking_text(c, {})), 100u);
   c.models[0].parameters.back().unit = "mm/s^2";
   EXPECT_THAT(ranking_text(c, {}), HasSubstr("parameter_bswarm 0.25 mm/s^2"));
-  for (FitResult& r : c.models) r.parameters.clear();
+  for (ModelFit& r : c.models) r.parameters.clear();
   EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("kept fixed")));
 }
 
@@ -65,8 +65,8 @@ TEST(RankingText, ShowsTheHeldOutHalfAndPosteriorsWhereThereAreSome) {
   Comparison c = sample_comparison();
   EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("held out")));
   EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("verdict")));
-  c.hold_out = {true, 1, 240, 261, 500};
-  for (FitResult& r : c.models) r.held_out.score = r.score - 0.2;
+  c.recording.hold_out = {true, 1, 240, 261, 500};
+  for (ModelFit& r : c.models) r.standing.held_out.score = r.standing.score - 0.2;
   c.models[0].posterior.simulations = 1800;
   c.models[0].parameters[0].posterior = {0.012, 0.01, 0.0141, 0.9, "identified", "chi_att", -0.83};
   const std::string text = ranking_text(c, {});
@@ -85,19 +85,19 @@ TEST(RankingText, ColourOnlyWhenAsked) {
 TEST(RankingText, SyntheticDataAreLabelled) {
   Comparison c = sample_comparison();
   EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("synthetic")));
-  c.data.synthetic = true;
+  c.recording.data.synthetic = true;
   EXPECT_THAT(ranking_text(c, {}), HasSubstr("(synthetic)"));
 }
 
 TEST(RankingText, PathsCannotDriveTheTerminal) {
   Comparison c = sample_comparison();
-  c.data.path = "evil\033]0;title\007.txt";
+  c.recording.data.path = "evil\033]0;title\007.txt";
   EXPECT_THAT(ranking_text(c, {}), HasSubstr("evil?]0;title?.txt"));
 }
 
 TEST(RankingText, UndefinedNumbersAreDashes) {
   Comparison c = sample_comparison();
-  for (FitResult& r : c.models) r.score = r.score_se = NAN, r.rank = 0;
+  for (ModelFit& r : c.models) r.standing.score = r.standing.score_se = NAN, r.standing.rank = 0;
   EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("nan")));
 }
 
@@ -148,9 +148,9 @@ TEST(EvaluationText, ShowsBothSides) {
   e.real.from.path = "real.csv";
   e.simulated.from.path = "sim.csv";
   e.real.unit = "mm";
-  e.raw_energies = c.models[0].raw_energies;
-  e.real_distribution = c.recording;
-  e.simulated_distribution = c.models[0].distributions;
+  e.raw_energies = c.models[0].runs.raw_energies;
+  e.real_distribution = c.recording.distributions;
+  e.simulated_distribution = c.models[0].runs.distributions;
   const std::string text = evaluation_text(e, {});
   EXPECT_THAT(text, HasSubstr("Cartesian jerk"));
   EXPECT_THAT(text, HasSubstr("\n recording     ▄▇██▆▄▂▂▁▁  ▅██▆"));

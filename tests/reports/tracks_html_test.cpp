@@ -18,7 +18,7 @@ constexpr const char* kAsText = "&lt;img src=x onerror=&quot;alert(&#39;1&#39;)&
 Comparison alone() {
   Comparison c = sample_comparison();
   c.models.clear();
-  c.weight_history.clear();
+  c.ranking.weight_history.clear();
   return c;
 }
 
@@ -26,7 +26,7 @@ ModelCard card() { return {"vicsek", "Alignment with noise", "Vicsek et al. 1995
 
 std::string page_of(Comparison c, const TracksPage& page) {
   TrackMeta meta = c.film.meta();
-  meta.from.path = c.data.path;
+  meta.from.path = c.recording.data.path;
   return tracks_html(c, meta, summarise(c.film), page);
 }
 
@@ -50,7 +50,7 @@ TEST(TracksPage, NamesTheModelOfASimulation) {
 
 TEST(TracksPage, HostileTextStaysText) {
   Comparison c = alone();
-  c.data.path = c.data.unit = kHostile;
+  c.recording.data.path = c.recording.data.unit = kHostile;
   ModelCard hostile = card();
   hostile.summary = hostile.citation = hostile.parameters[0].meaning = kHostile;
   const std::string page = page_of(c, {kHostile, kHostile, hostile});

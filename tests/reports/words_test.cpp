@@ -21,7 +21,7 @@ Comparison in_groups(const std::vector<int>& groups) {
   for (std::size_t k = 0; k < groups.size(); ++k)
     sketches.push_back({std::string(1, static_cast<char>('a' + k)), 0.9 - 0.1 * static_cast<double>(k), 0.01, 1.1});
   Comparison c = sample_comparison(sketches);
-  for (std::size_t k = 0; k < groups.size(); ++k) c.models[k].certainty.group = groups[k];
+  for (std::size_t k = 0; k < groups.size(); ++k) c.models[k].standing.certainty.group = groups[k];
   return c;
 }
 
@@ -43,12 +43,12 @@ TEST(Headline, ModelsOfTheBestGroupAreATie) {
 
 TEST(Headline, SaysThatNoModelExplainsTheRecording) {
   Comparison c = in_groups({1, 2});
-  c.models[0].certainty.goodness_p = 0.01;
+  c.models[0].standing.certainty.goodness_p = 0.01;
   EXPECT_EQ(headline(c).sentence, "a moves most like the recording.");  // b could have made it
   EXPECT_THAT(headline(c).detail, HasSubstr("The recording lies farther from a than recordings made by it (p ≤ 0.01)."));
-  c.models[1].certainty.goodness_p = 0.05;
+  c.models[1].standing.certainty.goodness_p = 0.05;
   EXPECT_EQ(headline(c).sentence, "a moves most like the recording. None of these fits explains the recording.");
-  c.models[1].certainty.goodness_p = NAN;
+  c.models[1].standing.certainty.goodness_p = NAN;
   EXPECT_EQ(headline(c).sentence, "a moves most like the recording.");
   c.models.pop_back();
   EXPECT_THAT(headline(c).sentence, HasSubstr("This fit does not explain the recording."));
@@ -56,30 +56,30 @@ TEST(Headline, SaysThatNoModelExplainsTheRecording) {
 
 TEST(Headline, ARandomWalkIsAnAnswer) {
   Comparison c = in_groups({1, 2});
-  c.skill.walk_suffices = true;
+  c.ranking.walk_suffices = true;
   const Headline close = headline(c);
   EXPECT_EQ(close.verdict, Verdict::walk);
   EXPECT_EQ(close.sentence, "No model is closer to the recording than a random walk made of its own steps.");
   EXPECT_THAT(close.detail, testing::StartsWith("Among the models: a moves most like the recording. It leads b by"));
-  c.skill.memory_p = 0.34;
-  c.skill.walk_suffices = false;
+  c.recording.skill.memory_p = 0.34;
+  c.ranking.walk_suffices = false;
   const Headline forgets = headline(c);
   EXPECT_EQ(forgets.verdict, Verdict::walk);
   EXPECT_EQ(forgets.sentence, "The recording moves like a random walk made of its own steps.");
   EXPECT_THAT(forgets.detail, testing::StartsWith("It shows no memory of direction (p = 0.34), so no model can be told to explain more of "
                                                   "how it moves. Among the models: a moves most like the recording."));
-  c.skill.memory_p = 0.05;
+  c.recording.skill.memory_p = 0.05;
   EXPECT_EQ(headline(c).verdict, Verdict::clear);
-  for (FitResult& r : c.models) r.score = NAN;
-  c.skill.memory_p = 0.34;
+  for (ModelFit& r : c.models) r.standing.score = NAN;
+  c.recording.skill.memory_p = 0.34;
   EXPECT_EQ(headline(c).verdict, Verdict::none);
 }
 
 TEST(Headline, NamesTheFactsThatRefuteTheWinner) {
   Comparison c = in_groups({1, 2});
   EXPECT_THAT(headline(c).detail, Not(HasSubstr("refutes")));
-  const auto& items = c.panel.items;
-  c.models[0].refuted_by = {{items[3], {}, 1, 0}, {items[4], {}, 1, 0}};
+  const auto& items = c.recording.panel.items;
+  c.models[0].likeness.refuted_by = {{items[3], {}, 1, 0}, {items[4], {}, 1, 0}};
   EXPECT_THAT(headline(c).detail, HasSubstr("What anybody sees refutes it: mean speed and memory of direction."));
   c.models.pop_back();
   EXPECT_THAT(headline(c).detail, HasSubstr("What anybody sees refutes it: mean speed and memory of direction."));
@@ -91,26 +91,26 @@ TEST(KeptFixed, OnceForAllModelsThatShareIt) {
   c.models[2].parameters.push_back({"max_neighbours", "", "", "", 10, 10, 10, false, false, false});
   for (ParameterResult& p : c.models[3].parameters) p.fitted = true;
   EXPECT_EQ(kept_fixed(c), "a and b: radius 4.1 mm; c: radius 0.5 mm, max_neighbours 10");
-  for (FitResult& r : c.models) r.parameters.clear();
+  for (ModelFit& r : c.models) r.parameters.clear();
   EXPECT_EQ(kept_fixed(c), "");
 }
 
 TEST(Words, StepsPerFrameOfEveryModel) {
   Comparison c = in_groups({1, 2, 3, 3});
-  c.models[0].steps = 4;
+  c.models[0].runs.steps = 4;
   EXPECT_EQ(steps_taken(c), "b, c and d 2; a 4");
-  c.models[2].map = true;
+  c.models[2].runs.map = true;
   EXPECT_EQ(steps_taken(c), "b and d 2; a 4; c decides once per frame");
 }
 
 TEST(Headline, SaysWhoIsFirstWhereNobodyWasFitted) {
   Comparison c = in_groups({1, 2});
-  c.hold_out = {true, 1, 240, 261, 500};
-  c.models[0].held_out.score = 0.4;
-  c.models[1].held_out.score = 0.3;
+  c.recording.hold_out = {true, 1, 240, 261, 500};
+  c.models[0].standing.held_out.score = 0.4;
+  c.models[1].standing.held_out.score = 0.3;
   EXPECT_THAT(headline(c).detail, Not(HasSubstr("held out")));
-  c.models[1].held_out.score = 0.5;
-  c.models[1].held_out.certainty.group = 1;
+  c.models[1].standing.held_out.score = 0.5;
+  c.models[1].standing.held_out.certainty.group = 1;
   EXPECT_THAT(headline(c).detail, HasSubstr("On the half that was held out b has the highest score."));
   EXPECT_EQ(held_out_score(c.models[1]), "0.500 a");
   EXPECT_THAT(what_held_out_means(c), HasSubstr("frames 1 to 240, these scores of frames 261 to 500"));
@@ -121,7 +121,7 @@ TEST(Headline, LettersAndIntervals) {
   EXPECT_EQ(group_letter(c.models[0]) + group_letter(c.models[1]) + group_letter(c.models[2]), "ab");
   EXPECT_EQ(score_interval(c.models[0]), "0.87 .. 0.92");
   Comparison unknown = c;
-  unknown.models[0].certainty.lower = NAN;
+  unknown.models[0].standing.certainty.lower = NAN;
   EXPECT_EQ(score_interval(unknown.models[0]), "–");
 }
 

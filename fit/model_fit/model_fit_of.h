@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// From a finished search to what is reported of it.
+#pragma once
+
+#include "fit/model_fit/calibration.h"
+#include "fit/results/comparison.h"
+
+namespace swarmfit {
+
+// What the selected parameters of a search came to. Posterior, standing, likeness and film are not known yet.
+ModelFit model_fit_of(const ModelSearch& search);
+
+// The posterior of its searched parameters (fit/model_fit/parameter_posterior.h); nothing is done where nothing was searched.
+void fill_posterior(ModelFit& fit, const ModelSearch& search, const Rng& rng);
+
+}  // namespace swarmfit

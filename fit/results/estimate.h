@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A number and how sure it is.
+#pragma once
+
+#include <cmath>
+
+namespace swarmfit {
+
+// A number and its standard error; NaN: undefined.
+struct Estimate {
+  double value = NAN, se = NAN;
+};
+
+// Level of tests, intervals and groups.
+inline constexpr double kAlpha = 0.05;
+
+}  // namespace swarmfit

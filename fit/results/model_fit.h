@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// What a fit of one model found.
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fit/results/estimate.h"
+#include "libeval/energy.h"
+#include "libeval/panel.h"
+#include "libtrack/tracks.h"
+
+namespace swarmfit {
+
+// What the recording says about a parameter beside its best value (fit/model_fit/parameter_posterior.h), in physical units.
+struct ParameterUncertainty {
+  double median = NAN, lower = NAN, upper = NAN;  // posterior, ends of the central 95 %; NaN: not asked for, or not searched
+  double contraction = NAN;                       // 1 - variance / variance of the prior, on the axis of the search
+  std::string verdict;                            // "identified", "one-sided", "flat"; empty: as above
+  std::string partner;                            // the parameter with the strongest correlation, and that; empty: there is no other
+  double correlation = NAN;
+};
+
+struct ParameterResult {
+  std::string name, symbol, unit, meaning;
+  double value = 0, lower = 0, upper = 0;  // physical units; lower = upper = value where it was not searched
+  bool fitted = false, log = false;
+  bool at_bound = false;   // within 1 % of the searched interval from a bound
+  std::string at_lower{};  // of the lower one, what that means, if anything
+  ParameterUncertainty posterior{};
+  bool interaction = false;  // of neighbours: used only with the model's interaction, or a length in neighbour distances
+};
+
+// Behind the uncertainty of a model's parameters.
+struct PosteriorFacts {
+  std::vector<std::vector<double>> sample{};  // searched parameters in table order, physical units
+  std::vector<double> weight{};               // sums to 1
+  double effective = NAN;                     // effective sample size
+  int simulations = 0, blew_up = 0;           // 0: no posterior
+};
+
+// One point of a convergence curve.
+struct ConvergencePoint {
+  int pass;                  // of the calibration loop, from 1
+  std::int64_t evaluations;  // of this model so far, all passes
+  double best;               // best score so far, with the weights of that pass
+};
+
+// How the parameters were found.
+struct SearchFacts {
+  std::int64_t evaluations = 0;         // candidates simulated
+  std::int64_t simulations = 0;         // runs: candidates × replicates, the final ones included
+  std::int64_t failed_simulations = 0;  // blew up
+  std::string stop_reason;
+  std::vector<ConvergencePoint> convergence;
+};
+
+// What the final replicates came to: runs of the chosen parameters, on seeds that had no part in choosing them.
+struct FinalRuns {
+  Energies raw_energies{};                     // over the pooled replicates
+  Energies raw_se{};                           // standard errors of the mean of single replicates
+  std::vector<Energies> replicate_energies;    // raw, one per replicate
+  Energies half_step_energies{};               // raw, at half the time step, same number of replicates
+  PerColumn<Distribution> distributions{};     // pooled, on the recording's axes
+  PerColumn<double> mean_ratio{}, sd_ratio{};  // simulation / recording
+  PerColumn<double> outside_fraction{};        // share of the samples beyond the recording's axes
+  double failed_final = 0;                     // share of the replicates that blew up
+  double infeasible_avoidance = 0;             // share of agent-steps without a collision-free velocity
+  int steps = 1;                               // per frame
+  bool map = false;                            // decides once per step: the same model at another step is another one
+  // Half the step changes no energy by more than chance, or the fit is far off anyway (fit/experiment/time_step.h).
+  bool steps_settled = true;
+};
+
+// A model's score when the weight of one column is dropped or doubled, and its rank when it is dropped.
+struct Sensitivity {
+  PerColumn<double> without{}, doubled{};
+  PerColumn<int> rank_without{};
+};
+
+// How sure the place of a model is, from recordings made by the fitted models (fit/compare/certainty.h).
+struct Certainty {
+  double goodness_p = NAN;                    // share of recordings made by this fit that are as far from it as the recording is
+  int group = 0;                              // models of one group cannot be told apart, the best are group 1; 0: cannot be told
+  double set_p = NAN;                         // p at which the model leaves the model confidence set of all
+  double lower = NAN, upper = NAN;            // of the score, 95 %, over recordings as long as this one
+  double lead_lower = NAN, lead_upper = NAN;  // of the first model's lead, 95 %
+  Energies own{};                             // mean raw energies of its own recordings: what a perfect model would have
+};
+
+// Does a model's motion repeat that of the half it was fitted to? Median distances of paths to the nearest path of that half
+// (libeval/nearness.h).
+struct Nearness {
+  double simulated = NAN, recorded = NAN;  // of the model's paths, and of the held-out ones [unit]
+  std::int64_t frames = 0;                 // length of the paths
+  double ratio() const { return simulated / recorded; }
+};
+
+// A model on the half of the recording that it was not fitted to (fit/compare/hold_out.h), under the weights of the other half.
+struct HeldOut {
+  double score = NAN;
+  Energies raw{};
+  Certainty certainty{};
+  Nearness nearness{};
+};
+
+// Where a model stands among those it was compared with.
+struct Standing {
+  int rank = 0;         // 1 is best; 0 if the score is undefined
+  double score = 0;     // E, higher is better, with the comparison's weights
+  double score_se = 0;  // standard error of the mean score of single final replicates; NaN if undefined
+  Energies energies{};  // (raw - p1)/p2, 0 where p2 = 0
+  Sensitivity sensitivity;
+  Certainty certainty;
+  HeldOut held_out{};
+};
+
+// A fact that anybody sees and that a fitted model gets wrong (fit/compare/refute.h).
+struct Refutation {
+  PanelItem item;
+  Estimate recording;            // NaN: it has no such number
+  double model = NAN, sd = NAN;  // over its single final replicates; NaN: none has
+};
+
+// How a model looks beside the recording, whoever else is compared.
+struct Likeness {
+  Estimate skill;                             // 1: as close as halves of the recording, 0: no closer than the null; over final replicates
+  PerColumn<double> total_variation{};        // mean over single final replicates, of halves against halves: the D of the skill
+  PerColumn<double> wasserstein{};            // mean over single final replicates [sd of the recording]
+  std::vector<Refutation> refuted_by;         // facts that anybody sees, in the order of PanelFacts
+  std::vector<Estimate> panel;                // per item of PanelFacts
+  std::vector<Estimate> vacf;                 // per lag of PanelFacts
+  double extent = 0, spacing = 0, speed = 0;  // of the simulated group, as in DataFacts
+};
+
+// Everything about one model in a comparison (or the only one of a fit).
+struct ModelFit {
+  std::string model;  // canonical name with settings: "bswarm[noise=white]"
+  std::string summary, citation;
+  std::map<std::string, std::string> options;  // complete
+  std::vector<ParameterResult> parameters;     // the whole table, unused rows left out
+  bool learns = false;                         // takes its motion from the recording, as fastswarm does
+  PosteriorFacts posterior{};
+  SearchFacts search;
+  FinalRuns runs;
+  Standing standing;
+  Likeness likeness;
+  Tracks film{};  // of the first final replicate, as observed: the frames of Comparison::film
+};
+
+}  // namespace swarmfit
