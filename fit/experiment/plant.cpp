@@ -115,7 +115,8 @@ Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, co
   plan.frame_dt = options.dt;
   plan.substeps = options.substeps;
   plan.frames = options.warm_up + options.frames;
-  const auto rule = make_model(model, {.dims = options.dims, .scales = options.scales, .reference = options.reference, .step = plan.frame_dt / plan.substeps});
+  const auto rule = make_model(
+      model, {.dims = options.dims, .scales = options.scales, .reference = options.reference, .step = plan.frame_dt / plan.substeps});
   World world;
   world.dims = options.dims;
   world.bounds = options.arena;

@@ -35,7 +35,8 @@ Curve finished(Curve curve, const std::string& place) {
     p.pop_back();
     curve.closed = true;
   }
-  if (p.size() < 2) throw InputError(fmt::format("{}: {} point{}; expected a curve of at least two", place, p.size(), p.size() == 1 ? "" : "s"));
+  if (p.size() < 2)
+    throw InputError(fmt::format("{}: {} point{}; expected a curve of at least two", place, p.size(), p.size() == 1 ? "" : "s"));
   if (curve.closed && p.size() < 3) curve.closed = false;
   if (!(curve.length() > 0)) throw InputError(place + ": all points are at one place; expected a curve");
   return curve;
