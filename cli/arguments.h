@@ -11,6 +11,7 @@
 #include "fit/compare/compare.h"
 #include "fit/study/recovery.h"
 #include "fit/study/sweep.h"
+#include "fit/synthesis/extend.h"
 #include "libeval/group/measured.h"
 #include "libtrack/clean.h"
 #include "libtrack/read/read.h"
@@ -33,7 +34,9 @@ struct SceneArguments {
   std::optional<std::int64_t> frames, warm_up;
   std::optional<double> fps, box, start_radius, start_speed;
   std::optional<std::string> unit;
-  double noise = 0, dropout = 0;  // of the camera
+  double noise = 0, dropout = 0;    // of the camera
+  std::string curve;                // heart, star or a file; empty: none
+  std::optional<std::string> like;  // recording that models learn from that need one
 };
 
 struct Arguments {
@@ -58,6 +61,9 @@ struct Arguments {
   SceneArguments scene;
   MeasureOptions measure;  // of measure and sweep
   SweepOptions sweep;      // without what it is measured by, seeds and scene
+
+  ExtendOptions extending;  // of extend; its pilot also of augment
+  int add = 0;              // of augment: agents
 
   std::string out, html, picture;    // to write
   std::string table, dir, name;      // to read: a table of energies, a run; a model to tell of

@@ -16,10 +16,12 @@
 namespace swarmfit::cli {
 namespace {
 
-const std::array<Command, 18> kCommands{{
+const std::array<Command, 20> kCommands{{
     {"describe", kDescribe, "what is in a recording and what is wrong with it", describe},
     {"convert", kConvert, "write a recording as CSV, cleaned and with its units", convert},
     {"simulate", kSimulate, "trajectories from a scenario or a model", simulate},
+    {"extend", kExtend, "tracks that go on past their ends, and gaps bridged, by a model", extend},
+    {"augment", kAugment, "simulated agents among the recorded ones", augment},
     {"evaluate", kEvaluate, "seven energies and the order parameters of two recordings", evaluate},
     {"measure", kMeasure, "order parameters and states of a group over time", measure},
     {"weigh", kWeigh, "entropy weights and scores of an energy table", weigh},

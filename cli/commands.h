@@ -16,6 +16,8 @@ int evaluate(const Arguments&);
 int measure(const Arguments&);
 int weigh(const Arguments&);
 int simulate(const Arguments&);
+int extend(const Arguments&);   // tracks go on, gaps are bridged
+int augment(const Arguments&);  // simulated agents among recorded ones
 int fit(const Arguments&);      // exactly one model
 int compare(const Arguments&);  // two or more
 int resume(const Arguments&);

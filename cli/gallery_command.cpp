@@ -46,6 +46,7 @@ int gallery(const Arguments& a) {
   std::vector<Exhibit> exhibits;
   for (const ScenarioFile& file : scenario_files()) {
     Scenario scene = scenario_named(file.name);
+    learn_from(scene, "demo");
     if (a.scene.seed) scene.seed = *a.scene.seed;
     scene.groups.front().agents = std::min(scene.groups.front().agents, kMostSimulated);
     exhibits.push_back({card_of(scene), fmt::format("swarmfit simulate {0} --html {0}.html", scene.name), thinned(film(scene, {}).tracks)});

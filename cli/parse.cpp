@@ -77,6 +77,19 @@ std::map<std::string, std::pair<double, double>> parse_bounds(const std::vector<
   return out;
 }
 
+PerIndividual parse_frames(const std::vector<std::string>& texts, std::int64_t otherwise) {
+  constexpr double most = 10'000'000;
+  PerIndividual out{otherwise, {}};
+  for (const auto& text : texts) {
+    const auto equals = text.rfind('=');
+    const double frames = number(std::string_view(text).substr(equals == std::string::npos ? 0 : equals + 1), text);
+    if (frames < 0 || frames > most || frames != std::floor(frames))
+      throw InputError(fmt::format("'{}' is not allowed; expected frames or NAME=frames, a whole number from 0 to {}", shown(text), most));
+    (equals == std::string::npos ? out.all : out.own[text.substr(0, equals)]) = static_cast<std::int64_t>(frames);
+  }
+  return out;
+}
+
 char parse_delimiter(const std::string& text) {
   if (text == "\\t" || text == "tab") return '\t';
   if (text == "space") return ' ';

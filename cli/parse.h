@@ -19,6 +19,8 @@ std::map<std::string, double> parse_assignments(const std::vector<std::string>& 
 std::map<std::string, std::map<std::string, double>> parse_planted(const std::vector<std::string>& texts);  // model.parameter=value
 std::map<std::string, std::pair<double, double>> parse_bounds(const std::vector<std::string>& texts);       // parameter=lower:upper
 
+PerIndividual parse_frames(const std::vector<std::string>& texts, std::int64_t otherwise);  // F or NAME=F
+
 char parse_delimiter(const std::string& text);  // one character, tab or space
 int parse_steps(const std::string& text);       // auto, fewest or a number, as ConditionOptions::steps has them
 void set_localisation_error(ConditionOptions& conditions, const std::string& text);  // estimate, or a length

@@ -37,7 +37,8 @@ const std::vector<Preset>& presets() {
 
 constexpr const char* kEveryModel = "all";
 
-// What any of them names, and all other models that move in two and in three dimensions.
+// What any of them names, and all other models that move in two and in three dimensions; what is made of the recording itself is no rival
+// of what is not, and is asked for by name.
 std::vector<std::string> all_models() {
   std::vector<std::string> all;
   const auto add = [&](const std::string& name) {
@@ -46,7 +47,7 @@ std::vector<std::string> all_models() {
   for (const Preset& preset : presets())
     for (const auto& name : preset.models) add(name);
   for (const auto& spec : models())
-    if (spec.dims.size() > 1) add(spec.name);
+    if (spec.dims.size() > 1 && !spec.needs_reference) add(spec.name);
   return all;
 }
 

@@ -7,7 +7,10 @@
 #include <algorithm>
 
 #include "cli/parse.h"
+#include "cli/recordings.h"
+#include "fit/experiment/conditions.h"
 #include "fit/experiment/plant.h"
+#include "fit/synthesis/extend.h"
 #include "libswarm/centre.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
@@ -29,6 +32,22 @@ std::string scenario_names() {
 
 bool is_file(std::string_view text) { return text.ends_with(".toml") || text.find('/') != text.npos; }
 
+const char* const kLearnedFrom = "demo";
+
+// A model alone that learns from a recording: as fits begin, in the recording's units and in open space.
+void settle_at_the_recording(Scenario& scene) {
+  if (!scene.reference) return;
+  const Tracks& recording = *scene.reference;
+  scene.scales = natural_scales(recording);
+  scene.parameters = pilot_parameters({scene.model, {}}, scene.scales);
+  scene.dims = recording.dims();
+  scene.dt = recording.dt();
+  scene.unit = recording.meta().unit;
+  scene.bounds = {};
+  scene.groups.front().start.radius = scene.scales.extent;
+  scene.groups.front().start.speed = scene.scales.speed;
+}
+
 // A scenario, or else a model.
 Scenario found(const SceneArguments& a) {
   const std::string& text = a.scene;
@@ -42,6 +61,16 @@ Scenario found(const SceneArguments& a) {
     if (text.find('[') != text.npos) throw;
     throw InputError(fmt::format("{}; a scenario: {}; or a file that ends on .toml", e.what(), scenario_names()));
   }
+}
+
+// The same with the recording that it learns from, if it does.
+Scenario found_with_recording(const SceneArguments& a) {
+  Scenario scene = found(a);
+  if (a.like && !scene.model.spec->needs_reference)
+    throw InputError(fmt::format("`like`: {} learns from no recording; expected a model that does: fastswarm", scene.model.name));
+  learn_from(scene, a.like.value_or(kLearnedFrom));
+  if (scene.name == scene.model.name) settle_at_the_recording(scene);
+  return scene;
 }
 
 void resize(Scenario& scene, int agents) {
@@ -79,7 +108,7 @@ Scenario scenario_named(std::string_view name) {
 }
 
 Scenario scenario_of(const SceneArguments& a) {
-  Scenario scene = found(a);
+  Scenario scene = found_with_recording(a);
   if (a.dims && *a.dims != scene.dims)
     throw InputError(fmt::format("--dims: {} is a scene in {} dimensions; expected {}", scene.name, scene.dims, scene.dims));
   if (a.agents) resize(scene, *a.agents);
@@ -89,6 +118,7 @@ Scenario scenario_of(const SceneArguments& a) {
   scene.warm_up = a.warm_up.value_or(scene.warm_up);
   scene.unit = a.unit.value_or(scene.unit);
   if (a.fps) scene.dt = 1 / *a.fps;
+  if (!a.curve.empty()) return scene;  // which sets them
   for (const auto& [name, value] : parse_assignments(a.set)) {
     try {
       set_parameter(scene, name, value);
@@ -97,6 +127,10 @@ Scenario scenario_of(const SceneArguments& a) {
     }
   }
   return scene;
+}
+
+void learn_from(Scenario& scene, const std::string& recording) {
+  if (scene.model.spec->needs_reference) scene.reference = std::make_shared<const Tracks>(load(Arguments(), recording));
 }
 
 ModelCard card_of(const Scenario& scene) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "cli/arguments.h"
+#include "fit/experiment/plant.h"
 #include "libswarm/scenario/read.h"
 #include "reports/recording/model_card.h"
 #include "reports/write/list_text.h"
@@ -17,6 +18,12 @@ Scenario scenario_named(std::string_view name);
 
 // What simulate is asked for, with all that is to be otherwise. Throws InputError.
 Scenario scenario_of(const SceneArguments& a);
+
+// Where the model learns from a recording, that of this name: demo or a file.
+void learn_from(Scenario& scene, const std::string& recording);
+
+// The scene's model led along a curve, with a note of how well; the scene is then what was flown. Throws InputError if it cannot be led.
+Film along_curve(const SceneArguments& a, Scenario& scene);
 
 ModelCard card_of(const Scenario& scene);
 ListEntry scenario_entry(const Scenario& scene);

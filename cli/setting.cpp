@@ -84,8 +84,8 @@ std::uint64_t Value::natural() const {
 std::span<const Setting> settings() {
   static const std::vector<Setting> kAllSettings = [] {
     std::vector<Setting> all;
-    for (const auto& part :
-         {data_settings(), run_settings(), scene_settings(), measure_settings(), comparison_settings(), output_settings()})
+    for (const auto& part : {data_settings(), run_settings(), scene_settings(), synthesis_settings(), measure_settings(),
+                             comparison_settings(), output_settings()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -20,13 +20,14 @@ using Commands = unsigned;
 inline constexpr Commands kDescribe = 1U << 0U, kConvert = 1U << 1U, kSimulate = 1U << 2U, kEvaluate = 1U << 3U, kWeigh = 1U << 4U,
                           kFit = 1U << 5U, kCompare = 1U << 6U, kResume = 1U << 7U, kReport = 1U << 8U, kRecover = 1U << 9U,
                           kPower = 1U << 10U, kModels = 1U << 11U, kGallery = 1U << 12U, kFormats = 1U << 13U, kMerge = 1U << 14U,
-                          kScenarios = 1U << 15U, kMeasure = 1U << 16U, kSweep = 1U << 17U;
+                          kScenarios = 1U << 15U, kMeasure = 1U << 16U, kSweep = 1U << 17U, kExtend = 1U << 18U, kAugment = 1U << 19U;
 inline constexpr Commands kFits = kFit | kCompare | kPower;                    // what works on a recording
 inline constexpr Commands kComparisons = kFits | kRecover;                     // what a protocol governs
 inline constexpr Commands kMeasurements = kMeasure | kSweep;                   // runs without a comparison
 inline constexpr Commands kStudies = kRecover | kPower;                        // many comparisons
 inline constexpr Commands kShared = kComparisons | kResume | kMerge | kSweep;  // what several processes do together
-inline constexpr Commands kAll = (kSweep << 1U) - 1;
+inline constexpr Commands kSyntheses = kExtend | kAugment;                     // what adds simulated points to a recording
+inline constexpr Commands kAll = (kAugment << 1U) - 1;
 
 // What was given for the settings of a command, by name and already checked, and what holds where nothing was.
 class Values {

@@ -10,7 +10,7 @@
 namespace swarmfit::cli {
 namespace {
 
-constexpr Commands kReading = kDescribe | kConvert | kEvaluate | kMeasure | kFits;
+constexpr Commands kReading = kDescribe | kConvert | kEvaluate | kMeasure | kFits | kSyntheses;
 constexpr std::string_view kHeading = "Reading", kCleaning = "Cleaning";
 constexpr int kLongestGap = 100000;                // frames
 constexpr double kSlowest = 1e-9, kFastest = 1e9;  // frames per second
@@ -19,7 +19,7 @@ constexpr double kLargestCode = 1e12;              // that stands for a missing 
 std::vector<Setting> inputs() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "DATA",
-       .in = kDescribe | kConvert | kMeasure,
+       .in = kDescribe | kConvert | kMeasure | kSyntheses,
        .help = "recording: a file, - for standard input, or demo",
        .required = true,
        .use = [](Arguments& a, const Value& v) { a.recordings = v.words; }},

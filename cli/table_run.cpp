@@ -25,7 +25,7 @@ std::vector<Setting> run_settings() {
        .elsewhere = {kSimulate | kGallery, ""},  // those of the scenarios
        .use =
            [](Arguments& a, const Value& v) {
-             a.common.seed = a.compare.seed = v.whole<std::uint64_t>();
+             a.common.seed = a.compare.seed = a.extending.pilot.seed = v.whole<std::uint64_t>();
              a.scene.seed = a.common.seed;
            }},
       {.name = "threads",
@@ -70,6 +70,11 @@ std::vector<Setting> run_settings() {
 
 std::vector<Setting> output_settings() {
   return {
+      {.name = "out",
+       .in = kSyntheses,
+       .help = "CSV file to write; every point says whether it was recorded (kind 0) or is synthetic; - for standard output",
+       .letter = 'o',
+       .use = out},
       {.name = "out", .in = kConvert, .help = "file to write; - for standard output", .letter = 'o', .required = true, .use = out},
       {.name = "to",
        .in = kConvert,
@@ -116,6 +121,10 @@ std::vector<Setting> output_settings() {
        .use = [](Arguments& a, const Value& v) { a.formats = v.words; }},
       {.name = "html", .in = kDescribe, .help = "page to write, too: facts, warnings, the motion itself, distributions", .use = html},
       {.name = "html", .in = kEvaluate, .help = "page to write, too: both in motion side by side, energies, distributions", .use = html},
+      {.name = "html",
+       .in = kSyntheses,
+       .help = "page to write: the motion itself, recorded and synthetic points in two colours",
+       .use = html},
       {.name = "html", .in = kSimulate, .help = "page to write: the motion itself, parameters, distributions", .use = html},
       {.name = "picture",
        .in = kSimulate,

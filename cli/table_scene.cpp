@@ -14,7 +14,7 @@ constexpr double kSlowest = 1e-6;              // frames per second: many steps 
 constexpr double kSmall = 1e-9, kLarge = 1e9;  // lengths and speeds, in any unit
 
 // Nothing that is not given is changed: a scenario says all, and a model alone stands for one with 100 agents for 500 frames of 0.01 s in a
-// box of side 20.
+// box of side 20. One that learns from a recording moves in the open, in the recording's units and frames.
 constexpr decltype(Setting::elsewhere) kTheScenarios{kSimulate, ""};
 
 std::vector<Setting> of_both() {
@@ -136,6 +136,14 @@ std::vector<Setting> of_simulate() {
        .help = "speed at the start",
        .allowed = number(0, kLarge),
        .use = [](Arguments& a, const Value& v) { a.scene.start_speed = v.number(); }},
+      {.name = "curve",
+       .in = kSimulate,
+       .help = "curve that fastswarm flies along: heart, star, a CSV of points x,y[,z], or an SVG with a polyline",
+       .use = [](Arguments& a, const Value& v) { a.scene.curve = v.text(); }},
+      {.name = "like",
+       .in = kSimulate | kSweep,
+       .help = "recording that models learn from that need one, demo if not given; frames are as far apart as its own",
+       .use = [](Arguments& a, const Value& v) { a.scene.like = v.text(); }},
       {.name = "check",
        .in = kSimulate,
        .help = "print the numbers that the scenario expects of its motion, and what came; exit code 1 if they disagree",

@@ -12,6 +12,7 @@ std::vector<Setting> data_settings();        // what a command works on, and how
 std::vector<Setting> run_settings();         // how a command runs
 std::vector<Setting> scene_settings();       // what is simulated and filmed
 std::vector<Setting> measure_settings();     // what is measured of a group
+std::vector<Setting> synthesis_settings();   // what is simulated among recorded tracks
 std::vector<Setting> comparison_settings();  // how models are fitted and compared
 std::vector<Setting> output_settings();      // what is written where
 

@@ -92,7 +92,7 @@ Stimuli::Near Stimuli::nearest(const Array3d& position, const Bounds& bounds, do
     const bool wins_tie = best.index < 0 || (stimuli_[k].kind == Stimulus::Kind::repel && best.kind == Stimulus::Kind::attract);
     if (d2 > best2 || (d2 == best2 && !wins_tie)) continue;
     best2 = d2;
-    best = {static_cast<int>(k), stimuli_[k].kind, d2 > 0 ? Array3d(from / std::sqrt(d2)) : Array3d(Array3d::Zero())};
+    best = {static_cast<int>(k), stimuli_[k].kind, d2 > 0 ? Array3d(from / std::sqrt(d2)) : Array3d(Array3d::Zero()), std::sqrt(d2)};
   }
   return best;
 }

@@ -53,6 +53,7 @@ class Stimuli : public WorldPart {
     int index = -1;  // of the stimulus; -1: none within range
     Stimulus::Kind kind{};
     Eigen::Array3d from;  // unit vector from the stimulus to the agent; 0 at its very place
+    double distance = 0;  // between the two [unit]
   };
   // The nearest with distance <= range; a repelling one wins ties.
   Near nearest(const Eigen::Array3d& position, const Bounds& bounds, double range) const;

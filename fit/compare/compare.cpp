@@ -214,6 +214,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   for (std::size_t m = 0; m < options.models.size(); ++m) {
     const ModelSearch& search = calibration.searches()[m];
     ModelFit fit = model_fit_of(search);
+    fit.learns = options.models[m].spec->needs_reference;
     fit.standing = standing_of(fit.runs, weighting);
     add_likeness(fit, search.selected().views, *judge, conditions.recording);
     if (options.posterior) fill_posterior(fit, search, Rng{options.seed}.derive(Stream::posterior, m));
@@ -229,7 +230,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
     const auto there = held_out(result.models, parts, options, conditions, weighting, runtime);
     for (std::size_t k = 0; k < there.size(); ++k) result.models[k].standing.held_out = there[k];
   }
-  for (const auto& warnings : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result)})
+  for (const auto& warnings : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result), warnings_of_learning(result)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   return result;
 }

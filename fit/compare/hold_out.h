@@ -8,7 +8,7 @@
 namespace swarmfit {
 
 // Equally long, so that energies can be compared: distances between histograms shrink with the number of samples. Between them the time
-// L / V is left out.
+// after which motion is new is left out: L / V, or the correlation time of velocities (libeval/nearness.h) if that is longer.
 struct Halves {
   Tracks fitted{}, held_out{};
 };

@@ -11,6 +11,7 @@ namespace swarmfit {
 namespace {
 
 constexpr double kStandardErrors = 2;
+constexpr double kRepeats = 0.5;  // of the distance of new motion from that which is known
 
 template <class... Args>
 void warn(std::vector<std::string>& out, fmt::format_string<Args...> text, Args&&... args) {
@@ -116,6 +117,27 @@ void warn_of_basis(const Comparison& r, std::vector<std::string>& out) {
 }
 
 }  // namespace
+
+std::vector<std::string> warnings_of_learning(const Comparison& r) {
+  std::vector<std::string> out;
+  for (const ModelFit& m : r.models) {
+    if (!m.learns) continue;
+    const Nearness& n = m.standing.held_out.nearness;
+    if (!r.recording.hold_out.used)
+      warn(
+          out,
+          "{} takes its velocities from the recording that it is judged on, so its score and its place are no evidence; use --holdout, and "
+          "look at its held-out score.",
+          m.model);
+    else if (std::isfinite(n.simulated) && n.recorded > 0)
+      warn(out,
+           "{} takes its velocities from the half that was fitted: only its held-out score counts. Over {} frames its paths lie {:.2f} "
+           "times "
+           "as far from the nearest path of that half as the held-out ones do{}.",
+           m.model, n.frames, n.simulated / n.recorded, n.simulated < kRepeats * n.recorded ? ": it repeats what it has seen" : "");
+  }
+  return out;
+}
 
 std::vector<std::string> warnings_of_skill(const Comparison& r) {
   std::vector<std::string> out;

@@ -9,4 +9,7 @@ namespace swarmfit {
 // One sentence each, from a finished result.
 std::vector<std::string> warnings_of_skill(const Comparison& result);
 
+// And of models that take their motion from the recording: what their place is worth.
+std::vector<std::string> warnings_of_learning(const Comparison& result);
+
 }  // namespace swarmfit

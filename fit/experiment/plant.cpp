@@ -100,6 +100,7 @@ Tracks plant(const ModelChoice& model, const std::vector<double>& parameters, co
   scene.model = model;
   scene.parameters = parameters;
   scene.scales = options.scales;
+  scene.reference = {std::shared_ptr<void>(), options.reference};  // the caller's
   scene.dims = options.dims;
   scene.frames = options.frames;
   scene.warm_up = options.warm_up;

@@ -41,6 +41,7 @@ struct PlantOptions {
   double sigma = 0;          // of the camera
   double dropout = 0;
   int longest_gap = 5;
+  const Tracks* reference = nullptr;  // for models that learn from a recording
   std::uint64_t seed = 1;
   std::string unit = "su";
   std::string path;  // shown as where it comes from

@@ -91,11 +91,20 @@ struct Certainty {
   Energies own{};                             // mean raw energies of its own recordings: what a perfect model would have
 };
 
+// Does a model's motion repeat that of the half it was fitted to? Median distances of paths to the nearest path of that half
+// (libeval/nearness.h).
+struct Nearness {
+  double simulated = NAN, recorded = NAN;  // of the model's paths, and of the held-out ones [unit]
+  std::int64_t frames = 0;                 // length of the paths
+  double ratio() const { return simulated / recorded; }
+};
+
 // A model on the half of the recording that it was not fitted to (fit/compare/hold_out.h), under the weights of the other half.
 struct HeldOut {
   double score = NAN;
   Energies raw{};
   Certainty certainty{};
+  Nearness nearness{};
 };
 
 // Where a model stands among those it was compared with.
@@ -133,6 +142,7 @@ struct ModelFit {
   std::string summary, citation;
   std::map<std::string, std::string> options;  // complete
   std::vector<ParameterResult> parameters;     // the whole table, unused rows left out
+  bool learns = false;                         // takes its motion from the recording, as fastswarm does
   PosteriorFacts posterior{};
   SearchFacts search;
   FinalRuns runs;

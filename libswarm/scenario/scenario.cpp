@@ -91,6 +91,7 @@ int Scenario::agents() const {
 
 int Scenario::steps_per_frame() const {
   if (substeps > 0) return substeps;
+  if (model.spec->fixed_step && reference) return 1;
   return std::max(1, static_cast<int>(std::ceil(dt / model.spec->native_dt - 1e-9)));
 }
 
@@ -185,7 +186,11 @@ Plan plan_of(const Scenario& scene) {
 std::unique_ptr<Model> model_of(const Scenario& scene) {
   int kinds = 1;
   for (const Group& g : scene.groups) kinds = std::max(kinds, g.kind + 1);
-  return make_model(scene.model, {.dims = scene.dims, .scales = scene.scales, .step = scene.dt / scene.steps_per_frame(), .kinds = kinds});
+  return make_model(scene.model, {.dims = scene.dims,
+                                  .scales = scene.scales,
+                                  .reference = scene.reference.get(),
+                                  .step = scene.dt / scene.steps_per_frame(),
+                                  .kinds = kinds});
 }
 
 Counters play(const Scenario& scene, FrameSink& agents, FrameSink* stimuli) {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "libswarm/simulate.h"
 #include "libswarm/stimuli.h"
 #include "libswarm/walls.h"
+#include "libtrack/tracks.h"
 
 namespace swarmfit {
 
@@ -62,8 +64,9 @@ struct Scenario {
   std::string name, title, source;  // of the file; one line what it shows; where it is published
   std::string shows;                // the model of whose pages it makes the picture; empty: of none
   ModelChoice model;
-  std::vector<double> parameters;  // a value for every row of the model's table, in simulation units
-  Scales scales{};                 // what the model is told of the group's size and speed
+  std::vector<double> parameters;                // a value for every row of the model's table, in simulation units
+  Scales scales{};                               // what the model is told of the group's size and speed
+  std::shared_ptr<const Tracks> reference = {};  // what models learn from that need a recording; frames are as far apart as its own
   int dims = 3;
   std::int64_t frames = 500, warm_up = 0;
   double dt = 0.01;  // frame interval, > 0 [s]

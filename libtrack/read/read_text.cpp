@@ -293,6 +293,7 @@ RawTable read_rows(const Source& source, const TextHeader& header, const ColumnM
   table.columns = map.spec;
   table.synthetic = header.synthetic;
   table.episodes = header.episodes;
+  table.kinds = header.kinds;
   if (!map.has(FileColumn::id) && !cells) table.notes.push_back("the file has no id column: all rows are one individual");
   return table;
 }

@@ -58,6 +58,20 @@ std::string word_behind_colon(std::string_view comment) {
   return std::string(comment.substr(at, comment.find_first_of(" \t", at) - at));
 }
 
+// The words between semicolons.
+std::vector<std::string> names_behind_colon(std::string_view comment) {
+  std::vector<std::string> out;
+  for (std::size_t at = comment.find(':') + 1; at <= comment.size();) {
+    const std::size_t end = std::min(comment.find(';', at), comment.size());
+    std::string_view name = comment.substr(at, end - at);
+    while (!name.empty() && is_blank(name.front())) name.remove_prefix(1);
+    while (!name.empty() && (is_blank(name.back()) || name.back() == '\r')) name.remove_suffix(1);
+    out.emplace_back(name);
+    at = end + 1;
+  }
+  return out;
+}
+
 std::vector<std::int64_t> integers_behind_colon(std::string_view comment) {
   std::vector<std::int64_t> out;
   const char* p = comment.data() + comment.find(':') + 1;
@@ -109,6 +123,8 @@ void read_comment(std::string_view line, TextHeader& header) {
   } else if (starts("synthetic:")) {
     const std::string answer = word_behind_colon(text);
     header.synthetic = answer != "no" && answer != "false" && answer != "0";
+  } else if (starts("kinds:")) {
+    header.kinds = names_behind_colon(line);
   } else if (starts("episodes:")) {
     header.episodes = integers_behind_colon(text);
   } else if (header.unit.empty()) {

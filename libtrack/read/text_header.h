@@ -29,6 +29,7 @@ struct TextHeader {
   bool synthetic = false;
   bool petrack = false;  // a comment names PeTrack
   std::vector<std::int64_t> episodes;
+  std::vector<std::string> kinds;  // from "# kinds: sheep; dog": what kinds 0, 1, ... are called
 };
 
 // `names` is empty or has as many entries as `first_row`: R's row names get an empty one, lines of a title above the names are passed

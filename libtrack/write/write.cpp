@@ -46,6 +46,11 @@ std::string one_line(std::string text) {
 void append_facts(std::string& out, const Tracks& tracks) {
   const auto& meta = tracks.meta();
   if (meta.from.synthetic) out += "# synthetic: made by a simulator\n";
+  for (std::size_t k = 0; k < meta.kinds.size(); ++k) {
+    out += k == 0 ? "# kinds: " : "; ";
+    out += one_line(meta.kinds[k]);
+  }
+  if (!meta.kinds.empty()) out += '\n';
   if (!meta.unit.empty()) out += "# unit: " + one_word(meta.unit) + '\n';
   out += "# fps: ";
   append(out, 1 / meta.dt);

@@ -28,6 +28,7 @@ async function unpacked(packed, origin, dims, frames, dt) {
     film.end[k] = row;
   }
   for (let axis = 0; axis < dims; ++axis) readAxis(film, axis, bytes, 12 * runs + 2 * rows * axis, packed.lower[axis] - origin[axis], packed.step[axis]);
+  readKinds(film, bytes, 12 * runs + 2 * rows * dims);
   indexFrames(film, frames);
   measureSpeed(film, dt);
   return film;
@@ -42,6 +43,11 @@ function readAxis(film, axis, bytes, low, lower, step) {
       out[row] = lower + step * code;
     }
   }
+}
+
+// One byte per point behind all axes, where individuals are of several kinds.
+function readKinds(film, bytes, from) {
+  film.kind = bytes.length > from ? bytes.subarray(from, from + film.rows) : new Uint8Array(film.rows);
 }
 
 function indexFrames(film, frames) {

@@ -32,7 +32,7 @@ function plasma(share, dark) {
 // All colours of one theme, so that drawing mixes none.
 function paintOf(colour) {
   const page = rgb(style("--page")), dark = page[0] < 128;
-  const scale = [...Array(BINS).keys()].map((k) => (colour === "track" ? mixed(rgb(TRACKS[k]), [255, 255, 255], dark ? 0.25 : 0) : plasma(k / (BINS - 1), dark)));
+  const scale = [...Array(BINS).keys()].map((k) => (colour !== "speed" ? mixed(rgb(TRACKS[k]), [255, 255, 255], dark ? 0.25 : 0) : plasma(k / (BINS - 1), dark)));
   const faded = (steps, most) => [...Array(steps).keys()].flatMap((step) => scale.map((c) => written(mixed(c, page, most * (1 - step / (steps - 1))))));
   return {
     page: style("--page"), line: style("--line"), soft: style("--soft"), font: `12px ${getComputedStyle(document.body).fontFamily}`,
@@ -49,7 +49,8 @@ class Player {
     this.clock = data.clock.flatMap(([first, count]) => Array.from({ length: count }, (_, k) => first + k));
     this.position = 0;
     this.playing = false;
-    this.view = { ...START, tail: 0, colour: "speed", follow: false };
+    // Whether points are recorded or synthetic, sheep or dog, is what one wants to see first.
+    this.view = { ...START, tail: 0, colour: data.kinds.length > 1 ? "kind" : "speed", follow: false };
     this.stages = [];
     this.tick = this.tick.bind(this);
   }
@@ -124,7 +125,9 @@ class Player {
     this.time = make("output", { class: "time" });
     this.speed = make("select", {}, ...RATES.map((rate) => option(rate, `${rate < 1 ? `1/${1 / rate}` : rate} ×`)));
     this.speed.value = this.rate;
-    this.colour = make("select", {}, option("speed", "speed"), option("track", "individual"));
+    this.colour = make("select", {}, option("speed", "speed"), option("track", "individual"),
+      ...(this.data.kinds.length > 1 ? [option("kind", "kind")] : []));
+    this.colour.value = this.view.colour;
     this.tail = make("input", { type: "range", min: 0, max: this.longest, step: 1, value: this.view.tail });
     this.tailText = make("output");
     this.follow = make("input", { type: "checkbox" });
@@ -141,7 +144,12 @@ class Player {
     this.strip = make("canvas", { width: 12 * BINS, height: 10, class: "strip", role: "img", "aria-label": "Colours from slow to fast" });
     this.key = make("p", { class: "note key-of-colours" }, "0 ", this.strip, ` ${number(this.scales.speed)} ${this.data.unit}/s and faster`);
     const turn = this.data.dims === 3 ? "drag to turn, with Shift to move" : "drag to move";
-    return make("div", {}, this.key, make("p", {
+    this.kinds = make("p", { class: "note key-of-kinds" }, ...this.data.kinds.flatMap((name, k) => {
+      const dot = make("span", { class: "dot", text: "● " });
+      dot.style.color = TRACKS[k % TRACKS.length];
+      return [dot, `${name} `];
+    }));
+    return make("div", {}, this.key, this.kinds, make("p", {
       class: "note hint", text: `In the pictures: ${turn}; Ctrl and the wheel, or the wheel after a click, to zoom. Keys: space, comma and full stop, + and −, 0, arrows.` }));
   }
 
@@ -184,6 +192,7 @@ class Player {
     const c = this.strip.getContext("2d");
     this.paint.scale.forEach((colour, k) => ((c.fillStyle = colour), c.fillRect(12 * k, 0, 12, 10)));
     this.key.hidden = this.view.colour !== "speed";
+    this.kinds.hidden = this.view.colour !== "kind";
     this.stages.forEach((stage) => stage.fit());
     this.show();
   }

@@ -98,7 +98,10 @@ class Stage {
     if (this.dims === 3) this.drawAxes(paint);
   }
 
-  binOf(row, view) { return view.colour === "track" ? this.film.track[this.film.run[row]] % BINS : this.bySpeed[row]; }
+  binOf(row, view) {
+    if (view.colour === "kind") return this.film.kind[row] % BINS;
+    return view.colour === "track" ? this.film.track[this.film.run[row]] % BINS : this.bySpeed[row];
+  }
 
   drawTails(position, view, paint) {
     const n = this.collectPieces(position, view), c = this.context, { ends, key, sorted, start } = pieces;

@@ -77,6 +77,10 @@ const std::vector<Quantity>& quantities() {
       {"held_out.group", "group on the held-out half", [](const ModelFit& m) { return place(m.standing.held_out.certainty.group); }},
       {"held_out.set_p", "p at which the model leaves the model confidence set of the held-out half",
        [](const ModelFit& m) -> Value { return m.standing.held_out.certainty.set_p; }},
+      {"held_out.nearness",
+       "median distance of the model's paths from the nearest path of the fitted half, over that of the held-out paths: far below 1 it "
+       "repeats",
+       [](const ModelFit& m) -> Value { return m.standing.held_out.nearness.ratio(); }},
       {"n_parameters", "parameters that were fitted", [](const ModelFit& m) -> Value { return fitted_parameters(m); }, "fitted",
        Reader::terminal, [](const ModelFit& m, Reader) { return std::to_string(fitted_parameters(m)); }},
       {"evaluations", "candidates simulated", [](const ModelFit& m) -> Value { return m.search.evaluations; }, "candidates", Reader::page,

@@ -61,6 +61,14 @@ std::string planes_of(const Tracks& tracks, const std::vector<Run>& runs, int ax
   return low + high;
 }
 
+std::string kinds_of(const Tracks& tracks, const std::vector<Run>& runs) {
+  std::string out;
+  if (tracks.kinds() < 2) return out;
+  for (const Run& run : runs)
+    for (const Index row : run) out += static_cast<char>(tracks.kind(row));
+  return out;
+}
+
 std::string compressed(const std::string& bytes) {
   uLongf size = compressBound(bytes.size());
   std::string out(size, '\0');
@@ -97,7 +105,7 @@ PackedFilm pack(const Tracks& tracks, const std::vector<std::int64_t>& clock) {
     }
     bytes += planes_of(tracks, runs, axis, film.lower[at], film.step[at]);
   }
-  film.bytes = compressed(bytes);
+  film.bytes = compressed(bytes + kinds_of(tracks, runs));
   return film;
 }
 

@@ -19,6 +19,7 @@ struct PackedFilm {
   // Compressed by zlib; little-endian. First, per run, three 32-bit numbers: track, index of its first frame in the clock, length.
   // Then, per axis, the codes of all runs one after the other, each as its difference from the one before (a run starts at 0) modulo 2^16:
   // first the low bytes of all of them, then the high bytes, which compress better apart.
+  // Last, where there are several kinds of individuals, one byte per point: its kind, in the order of the runs.
   std::string bytes;
 };
 

@@ -26,6 +26,17 @@ Json clock_data(const std::vector<std::int64_t>& clock) {
   return out;
 }
 
+// What points are called by kind: "recorded", "synthetic"; nothing where all are alike.
+Json kind_data(const std::vector<const Tracks*>& films) {
+  Json out = Json::array();
+  int kinds = 0;
+  for (const Tracks* film : films) kinds = std::max(kinds, film->kinds());
+  const auto& names = films.front()->meta().kinds;
+  for (int k = 0; kinds > 1 && k < kinds; ++k)
+    out.push_back(static_cast<std::size_t>(k) < names.size() ? names[static_cast<std::size_t>(k)] : "kind " + std::to_string(k));
+  return out;
+}
+
 Json take_data(const Take& take, const std::vector<std::int64_t>& clock) {
   const PackedFilm film = pack(*take.tracks, clock);
   return {{"title", take.title}, {"series", take.series}, {"rows", film.rows},         {"runs", film.runs},
@@ -40,7 +51,8 @@ Html player(const std::vector<Take>& takes) {
   for (const Take& take : takes) films.push_back(take.tracks);
   const std::vector<std::int64_t> clock = film_clock(films);
   const Tracks& first = *films.front();
-  Json data = {{"dims", first.dims()}, {"unit", first.meta().unit}, {"dt", first.dt()}, {"clock", clock_data(clock)}};
+  Json data = {
+      {"dims", first.dims()}, {"unit", first.meta().unit}, {"dt", first.dt()}, {"clock", clock_data(clock)}, {"kinds", kind_data(films)}};
   for (const Take& take : takes) data["takes"].push_back(take_data(take, clock));
   Html out = markup("<div class=\"player\">");
   out += Html{"<script type=\"application/json\">" + embedded(data.dump(-1, ' ', false, Json::error_handler_t::replace)) + "</script>"};

@@ -7,6 +7,8 @@
 
 #include "fit/experiment/objective.h"
 #include "fit/study/recovery.h"
+#include "libeval/nearness.h"
+#include "libswarm/reference_set.h"
 #include "libtrack/error.h"
 #include "tests/fit/planted.h"
 
@@ -27,8 +29,9 @@ TEST(Halves, AreEquallyLongAndApartByTheTimeOfTheSwarm) {
   EXPECT_EQ(h.fitted.frames().front().number, recording.frames().front().number);
   EXPECT_EQ(h.held_out.frames().back().number, recording.frames().back().number);
   const auto apart = h.held_out.frames().front().number - h.fitted.frames().back().number - 1;
-  EXPECT_GE(static_cast<double>(apart) * recording.dt(), natural_scales(recording).time());
-  EXPECT_LT(static_cast<double>(apart) * recording.dt(), natural_scales(recording).time() + 2 * recording.dt());
+  const double memory = std::max(natural_scales(recording).time(), correlation_time(recording));
+  EXPECT_GE(static_cast<double>(apart) * recording.dt(), memory);
+  EXPECT_LT(static_cast<double>(apart) * recording.dt(), memory + 2 * recording.dt());
   EXPECT_THROW(halves(film(80)), InputError);
 }
 
@@ -97,6 +100,44 @@ TEST(HoldOut, ModelsDoNotKnowWhereTheOtherHalfIs) {
   const double apart = (centre_of(parts.held_out) - centre_of(parts.fitted)).matrix().norm();
   ASSERT_GT(apart, 5 * there.sigma.matrix().norm()) << "the halves must lie apart for this to mean anything";
   EXPECT_LT((end - centre_of(parts.fitted)).matrix().norm(), 0.2 * apart);
+}
+
+// What fastswarm does on the other half it has seen in the half that was fitted.
+TEST(HoldOut, LearnsFromTheFittedHalfOnly) {
+  const Halves parts = halves(film(300));
+  ConditionOptions options;
+  options.error = ConditionOptions::Error::none;
+  options.rounding = false;
+  const Conditions fitted = make_conditions(parts.fitted, options), there = held_out_conditions(parts.held_out, fitted);
+  const ModelChoice model = parse_model("fastswarm");
+  const Tracks run = Ensemble(model, there).run({planted_parameters(model, fitted.scales), Rng{1}}).seen;
+  const ReferenceSet set(fitted.recording, {}, {});
+  int moves = 0;
+  for (Index row = 0; row < run.rows() && moves < 500; ++row) {
+    const Index next = run.next()[static_cast<std::size_t>(row)];
+    if (next < 0) continue;
+    const Eigen::Array3d v = (run.pos().row(next) - run.pos().row(row)).transpose() / run.dt();
+    double nearest = INFINITY;
+    for (std::size_t k = 0; k < set.size(); ++k)
+      nearest = std::min(nearest, (v - Eigen::Array3d(set.velocity()[0][k], set.velocity()[1][k], set.velocity()[2][k])).abs().maxCoeff());
+    EXPECT_LT(nearest, 1e-6 * fitted.scales.speed);
+    ++moves;
+  }
+  EXPECT_EQ(moves, 500);
+}
+
+TEST(HoldOut, SaysHowNearMotionLiesToWhatWasFitted) {
+  auto options = tiny();
+  options.models = {parse_model("fastswarm"), parse_model("boids")};
+  options.hold_out = true;
+  const Comparison c = compare(film(300), options);
+  for (const ModelFit& m : c.models) {
+    EXPECT_GT(m.standing.held_out.nearness.recorded, 0);
+    EXPECT_GT(m.standing.held_out.nearness.simulated, 0);
+    EXPECT_GE(m.standing.held_out.nearness.frames, 2);
+    EXPECT_EQ(m.learns, m.model == "fastswarm");
+  }
+  EXPECT_THAT(c.warnings, testing::Contains(testing::HasSubstr("fastswarm takes its velocities from the half that was fitted")));
 }
 
 }  // namespace

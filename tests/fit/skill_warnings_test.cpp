@@ -29,6 +29,21 @@ TEST(SkillWarnings, SayWhereScoreAndSkillDisagree) {
   EXPECT_TRUE(warnings_of_skill(c).empty());
 }
 
+TEST(LearningWarnings, SayWhatThePlaceOfACopierIsWorth) {
+  Comparison c;
+  c.models = {named("copier", 0.5, 0.01), named("b", 0.4, 0.01)};
+  EXPECT_THAT(warnings_of_learning(c), IsEmpty());
+  c.models[0].learns = true;
+  EXPECT_THAT(warnings_of_learning(c), ElementsAre(HasSubstr("copier takes its velocities from the recording that it is judged on")));
+  c.recording.hold_out.used = true;
+  c.models[0].standing.held_out.nearness = {8, 10, 25};
+  EXPECT_THAT(warnings_of_learning(c),
+              ElementsAre(HasSubstr("Over 25 frames its paths lie 0.80 times as far from the nearest path of that half "
+                                    "as the held-out ones do.")));
+  c.models[0].standing.held_out.nearness.simulated = 4;
+  EXPECT_THAT(warnings_of_learning(c), ElementsAre(HasSubstr("do: it repeats what it has seen.")));
+}
+
 TEST(SkillWarnings, SayWhoDecidesTheWinner) {
   Comparison c;
   c.models = {named("a", 0.5, 0), named("b", 0.4, 0), named("c", 0.3, 0)};

@@ -39,7 +39,7 @@ struct SubRooms {
 const std::array<SubRooms, 4> kSubRooms{{
     {"libtrack", {"", "read", "write"}},
     {"libswarm", {"", "models", "scenario"}},
-    {"fit", {"results", "store", "optimise", "infer", "experiment", "model_fit", "compare", "study"}},
+    {"fit", {"results", "store", "optimise", "infer", "experiment", "synthesis", "model_fit", "compare", "study"}},
     {"reports", {"write", "draw", "motion", "comparison", "recording", "study", "run"}},
 }};
 

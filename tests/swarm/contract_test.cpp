@@ -230,7 +230,7 @@ TEST_P(EveryModel, NoiselessMotionTurnsAndShiftsWithTheAgents) {
   b.state.pos = turned(a.state.pos).rowwise() + shift;
   b.state.vel = turned(a.state.vel);
   for (Lane* lane : {&a, &b}) {
-    const Tracks reference = recording_of(lane->state, dims);
+    const Tracks reference = flight_of(lane->state, dims);
     const Made made = make(setting, dims, &reference);
     silence(made, *lane);
     run(made, kShort, *lane);
@@ -324,7 +324,7 @@ TEST_P(EveryModel, ManyRandomCandidatesMoveAboutAsFastAsTheRecording) {
   for (const Recording& r : {midges, jackdaws}) {
     swarmfit::Setup setup;  // not testing::Test::Setup
     const Made plain = make(GetParam());
-    const Tracks reference = recording_of(crowd(plain, r.agents, 2 * r.scales.extent, r.scales.speed).state, plain.dims);
+    const Tracks reference = flight_of(crowd(plain, r.agents, 2 * r.scales.extent, r.scales.speed).state, plain.dims);
     setup.dims = plain.dims;
     setup.reference = &reference;
     setup.scales = r.scales;

@@ -25,8 +25,49 @@ inline int most_dims(std::string_view name) {
   return *std::max_element(dims.begin(), dims.end());
 }
 
+// A recording of six frames, 0.01 s apart: everybody flies on from where they stand, drawn a little to the middle of all.
+inline Tracks flight_of(const State& state, int dims = 3) {
+  TrackColumns columns;
+  constexpr Index frames = 6;
+  const Index n = state.size();
+  columns.pos.resize(frames * n, 3);
+  Eigen::Array<double, 1, 3> middle = Eigen::Array<double, 1, 3>::Zero();
+  for (Index i = 0; i < n; ++i) middle += state.pos.row(i) / static_cast<double>(n);
+  for (Index i = 0; i < n; ++i) columns.names.push_back(std::to_string(i));
+  for (Index k = 0; k < frames; ++k) {
+    const double t = 0.01 * static_cast<double>(k);
+    for (Index i = 0; i < n; ++i) {
+      columns.track.push_back(static_cast<std::uint32_t>(i));
+      columns.frame.push_back(k);
+      columns.pos.row(k * n + i) = state.pos.row(i) + t * state.vel.row(i) + 2 * t * t * (middle - state.pos.row(i));
+    }
+  }
+  TrackMeta meta;
+  meta.dims = dims;
+  meta.dt = 0.01;
+  return {std::move(columns), meta};
+}
+
+// What models that learn from a recording are told where a test has none of its own: 60 individuals of speeds about 0.5.
+inline const Tracks& any_flight(int dims) {
+  static const auto flown = [](int d) {
+    State state;
+    const Rng rng{5};
+    for (std::uint32_t i = 0; i < 60; ++i) {
+      const auto xy = rng.uniform2(Stream::start, 0, i, 0);
+      const auto zs = rng.uniform2(Stream::start, 0, i, 1);
+      state.spawn(0, 3 * Eigen::Array3d(xy[0], xy[1], d == 2 ? 0 : zs[0]),
+                  (0.25 + 0.5 * zs[1]) * random_direction(rng, Stream::start, 1, i, 0, d));
+    }
+    return flight_of(state, d);
+  };
+  static const Tracks flat = flown(2), solid = flown(3);
+  return dims == 2 ? flat : solid;
+}
+
 inline Made make(std::string_view name, int dims, const Tracks* reference = nullptr) {
   Made made{parse_model(name), nullptr, dims};
+  if (!reference && made.choice.spec->needs_reference) reference = &any_flight(dims);
   made.model = make_model(made.choice, {.dims = dims, .reference = reference});
   return made;
 }

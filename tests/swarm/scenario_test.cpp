@@ -6,6 +6,7 @@
 
 #include "libswarm/scenario/read.h"
 #include "libtrack/error.h"
+#include "tests/swarm/lane.h"
 
 namespace swarmfit {
 namespace {
@@ -157,6 +158,20 @@ struct Kept : FrameSink {
 // Agents are still in a model without forces whose noise is off: only the scene moves them.
 Scenario still(const std::string& more) {
   return read("title = \"t\"\nmodel = \"bswarm[noise=none,interaction=off,avoidance=none]\"\nfps = 10\nframes = 31\n" + more);
+}
+
+TEST(Scenario, WhatLearnsFromARecordingTakesItsFramesAsSteps) {
+  Scenario scene = read("title = \"t\"\nmodel = \"fastswarm\"\nfps = 50\nframes = 3\nagents = 4\n");
+  Kept kept;
+  EXPECT_THROW(play(scene, kept), InputError) << "no recording";
+  TrackMeta meta = any_flight(3).meta();
+  meta.dt = 0.02;
+  scene.reference = std::make_shared<const Tracks>(any_flight(3).columns(), meta);
+  EXPECT_EQ(scene.steps_per_frame(), 1);
+  EXPECT_EQ(play(scene, kept).agent_steps, 2u * 4u);
+  EXPECT_EQ(kept.ids.size(), 3u);
+  scene.substeps = 2;
+  EXPECT_THROW(play(scene, kept), InputError) << "steps are not the recording's";
 }
 
 TEST(Scenario, AgentsComeAndGoWhenItSays) {
