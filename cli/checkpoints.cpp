@@ -5,9 +5,11 @@
 #include <sys/file.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <set>
+#include <thread>
 
 #include "cli/cluster.h"
 #include "cli/config_file.h"
@@ -18,6 +20,8 @@
 
 namespace swarmfit::cli {
 namespace {
+
+constexpr int kLongestWait = 200;  // for a killed process to let go of its folder [10 ms]
 
 std::string path_in(const std::string& dir) { return dir + "/checkpoint"; }
 
@@ -35,8 +39,12 @@ void hold(const std::string& dir) {
   static std::set<std::string> held;
   if (!cluster().first() || !held.insert(std::filesystem::weakly_canonical(dir).string()).second) return;
   const int folder = open(dir.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);  // closed by the end of the process, which lets go
-  if (folder >= 0 && flock(folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    throw InputError(dir + ": another run is writing to it; expected a folder of its own, or that one to have ended");
+  // A process that was killed takes a moment to go.
+  for (int waited = 0; folder >= 0 && flock(folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++waited) {
+    if (waited == kLongestWait)
+      throw InputError(dir + ": another run is writing to it; expected a folder of its own, or that one to have ended");
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
 }
 
 }  // namespace

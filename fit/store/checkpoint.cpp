@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "fit/store/bytes.h"
 #include "libtrack/error.h"
-#include "libtrack/read/numbers.h"
 
 namespace swarmfit {
 namespace {
@@ -34,6 +35,10 @@ std::string_view head_of(std::string_view bytes) {
   return bytes.starts_with(kMagic) && end != bytes.npos ? bytes.substr(0, end + 1) : std::string_view();
 }
 
+bool is_text(std::string_view bytes) {
+  return std::all_of(bytes.begin(), bytes.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
 // Of whose run is it? Throws unless of this one.
 void require_same_run(const std::string& path, std::string_view bytes, const RunIdentity& run) {
   const auto refuse = [&](std::string_view what) {
@@ -45,7 +50,7 @@ void require_same_run(const std::string& path, std::string_view bytes, const Run
   std::string_view wanted = expected;
   line(bytes), line(wanted);
   if (const auto version = line(bytes); version != line(wanted))
-    refuse(fmt::format("was written by another {}", shown(version.substr(0, 40))));
+    refuse(fmt::format("was written by another {}", is_text(version) ? version.substr(0, 40) : "version"));
   if (line(bytes) != line(wanted)) refuse("belongs to another recording, or the recording has changed");
   refuse("belongs to a run with other settings: config.toml has changed");
 }

@@ -208,7 +208,7 @@ OpenHdf5::OpenHdf5(const std::string& name, std::string_view bytes) : name_(name
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access, 1 << 16, false);
   H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size());  // copies
-  file_ = H5Fopen("swarmfit", H5F_ACC_RDONLY, access);                       // a name is asked for, and not used
+  file_ = H5Fopen("/dev/null/image", H5F_ACC_RDONLY, access);  // a name that no file can have: one that is there would be opened
   if (file_ < 0) throw InputError(name + ": the HDF5 file cannot be read; expected an undamaged file");
   Visit visit;
   visit.paths.emplace_back("/");
