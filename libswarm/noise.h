@@ -65,10 +65,6 @@ class NoiseField {
   double lanes_[3][4]{};  // the same by axis, a potential per lane
 };
 
-// Root mean square per component of curl() or curl2(), and of potential(): expected values over all hashes and places in a cell.
-inline double rms_curl(int dims) { return dims == 2 ? 0.7095 : 0.9962; }
-inline constexpr double kRmsPotential = 0.27;
-
 // What potential() is multiplied by to have the root-mean-square length of curl() or curl2(): 1.72 and 1.00 over 0.27 sqrt(dims).
 inline double potential_as_strong_as_curl(int dims) { return dims == 2 ? 2.62 : 3.68; }
 

@@ -66,6 +66,11 @@ namespace {
 
 using Eigen::Array3d;
 
+// Root mean square per component of NoiseField's curl() or curl2(), and of its potential(): expected values over all hashes and places in
+// a cell.
+double rms_curl(int dims) { return dims == 2 ? 0.7095 : 0.9962; }
+constexpr double kRmsPotential = 0.27;
+
 // Rows of the parameter table, in its order.
 enum Row : std::size_t {
   kGamma,
