@@ -5,6 +5,7 @@
 
 #include "fit/store/bytes.h"
 #include "libtrack/error.h"
+#include "libtrack/read/numbers.h"
 
 namespace swarmfit {
 namespace {
