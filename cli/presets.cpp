@@ -20,8 +20,8 @@ struct Preset {
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> table = {
       {"noise",
-       "bswarm with its four noises",
-       {"bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian]", "bswarm[noise=white]"},
+       "bswarm with its four noises and two controls, a force with a memory but no field and a field for each agent",
+       {"bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian]", "bswarm[noise=white]", "bswarm[noise=ou]", "bswarm[offset=per_agent]"},
        {"bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian,noise_scaling=literal]", "bswarm[noise=white,noise_scaling=literal]"}},
       {"ablation", "bswarm, without noise, without interaction", {"bswarm", "bswarm[noise=none]", "bswarm[interaction=off]"}},
       {"models",

@@ -7,7 +7,7 @@ namespace swarmfit {
 Tracks demo_recording() {
   const ModelChoice model = parse_model("bswarm");
   const auto parameters = scene_parameters(model, {{"gamma", 0.02},
-                                                   {"noise", 900},
+                                                   {"noise", 0.9962 * 900},  // gain / scale is the round number
                                                    {"scale", 50},
                                                    {"chi_rep", 400},
                                                    {"r_rep", 60},

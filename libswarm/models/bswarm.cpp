@@ -27,12 +27,17 @@
 // give: report nearest-neighbour distances with every result.
 //
 // Options (first value: default)
-//   noise          curl      noise · curl P(r / scale), fixed in space: agents at one place feel the same force; noise = gain / scale
-//                  perlin    3.68 noise · P(r / scale), in two dimensions 2.62: as strong as curl noise, root mean square;
-//                            noise = gain / 3.68
+//   noise          curl      curl P(r / scale), fixed in space: agents at one place feel the same force
+//                  perlin    P(r / scale), likewise
 //                  gaussian  lambda · G, G standard normal per component, new for each agent and step
-//                  white     lambda · W, W uniform on [-1, 1) per component, likewise
+//                  white     sqrt(3) lambda · W, W uniform on [-1, 1) per component, likewise; with literal scaling lambda · W
+//                  ou        a control: the force of every agent by itself, with a memory of time tau: d eta = -eta / tau dt +
+//                            noise sqrt(2 / tau) dW per component (Uhlenbeck & Ornstein, Phys. Rev. 36: 823, 1930)
 //                  none      0
+//                  `noise` is the root mean square of the force per component, whatever its kind: of the paper's curl noise gain / scale
+//                  times 0.996 (in two dimensions 0.709), of its Perlin noise gain times 0.27. `lambda` is the same of what has no memory,
+//                  times the square root of time: in a time t it changes velocities by lambda sqrt(t) per component. All strengths are
+//                  searched between the same bounds, in units of L / T² and L / T^1.5
 //   interaction    on | off: F_int = 0 (the paper's "noise only")
 //   avoidance      orca | none
 //   infeasible     when no velocity is free of collisions: zero velocity | substep: redo the step in halves, thrice at most, then zero |
@@ -48,22 +53,30 @@
 #include <numbers>
 
 #include "libswarm/avoider.h"
+#include "libswarm/linear_noise.h"
 #include "libswarm/model.h"
 #include "libswarm/noise.h"
 #include "libswarm/parallel.h"
 #include "libswarm/stimuli.h"
 #include "libswarm/zones.h"
+#include "libtrack/normals.h"
 
 namespace swarmfit {
 namespace {
 
 using Eigen::Array3d;
 
+// Root mean square per component of NoiseField's curl() or curl2(), and of its potential(): expected values over all hashes and places in
+// a cell.
+double rms_curl(int dims) { return dims == 2 ? 0.7095 : 0.9962; }
+constexpr double kRmsPotential = 0.27;
+
 // Rows of the parameter table, in its order.
 enum Row : std::size_t {
   kGamma,
   kNoise,
   kScale,
+  kTau,
   kLambda,
   kLambdaLiteral,
   kChiRep,
@@ -81,12 +94,13 @@ enum Row : std::size_t {
   kMaxNeighbours
 };
 
-// Private columns: the stimulus being met (its index + 1; 0: none), and the angle drawn for it.
-enum Column : Index { kStimulus, kTheta };
+// Private columns: the stimulus being met (its index + 1; 0: none), the angle drawn for it, and the force of noise=ou (three components).
+enum Column : Index { kStimulus, kTheta, kEta };
+constexpr Index kColumns = kEta + 3;
 
 const std::vector<Option>& option_table() {
   static const std::vector<Option> table{
-      {"noise", {"curl", "perlin", "gaussian", "white", "none"}, "random force"},
+      {"noise", {"curl", "perlin", "gaussian", "white", "ou", "none"}, "random force"},
       {"interaction", {"on", "off"}, "repulsion, alignment and attraction between agents"},
       {"avoidance", {"orca", "none"}, "reciprocal collision avoidance"},
       {"infeasible", {"zero", "substep", "min_penetration"}, "what to do when every velocity leads to a collision"},
@@ -101,22 +115,27 @@ const std::vector<Option>& option_table() {
 
 const std::vector<Parameter>& parameter_table() {
   using enum Parameter::Length;
-  constexpr const char *field = "noise=curl|perlin", *on = "interaction=on", *orca = "avoidance=orca";
+  constexpr const char *field = "noise=curl|perlin", *force = "noise=curl|perlin|ou", *memory = "noise=ou", *on = "interaction=on",
+                       *orca = "avoidance=orca";
   constexpr const char *sde = "noise=white|gaussian,noise_scaling=sde", *literal = "noise=white|gaussian,noise_scaling=literal";
   // Rows longer than a line would be taken apart, one field a line:
   // clang-format off
   static const std::vector<Parameter> table{
       {.row = kGamma, .name = "gamma", .symbol = "γ", .unit = {-1, 0}, .scene = {11.16, 0.1, 20}, .fit = {1.5, 0.1, 20}, .log = true,
        .fitted = true, .published = true, .meaning = "quadratic drag", .source = "Eq 3; Table 1 Midge"},
-      {.row = kNoise, .name = "noise", .symbol = "gain/scale", .unit = {1, -2}, .scene = {2.51 / 2.20, 0, 40}, .fit = {2, 0, 20},
-       .fitted = true, .published = true, .when = field,
-       .meaning = "root mean square of the noise force over 1.72 (in two dimensions 1.00)", .source = "Eq 4; Table 1 Midge"},
+      {.row = kNoise, .name = "noise", .symbol = "σ", .unit = {1, -2}, .scene = {0.9962 * 2.51 / 2.20, 0, 40}, .fit = {2, 0, 20},
+       .fitted = true, .published = true, .when = force,
+       .meaning = "root mean square of the noise force, per component", .source = "Eq 4; Table 1 Midge: 0.996 gain / scale"},
       {.row = kScale, .name = "scale", .symbol = "scale", .unit = {1, 0}, .scene = {2.20, 0.2, 5}, .fit = {0.5, 0.1, 3}, .log = true,
        .fitted = true, .published = true, .when = field,
        .meaning = "feature size of the noise field", .source = "Eq 4; Table 1 Midge",
        .at_lower = "the smaller the features, the nearer a field is to white noise"},
-      {.row = kLambda, .name = "lambda", .symbol = "λ", .unit = {1, -1.5}, .scene = {1, 0, 20}, .fit = {1, 0, 3}, .fitted = true, .published = true,
-       .when = sde, .meaning = "intensity of the random force", .source = "Eq 4; force times the square root of time"},
+      {.row = kTau, .name = "tau", .symbol = "τ", .unit = {0, 1}, .scene = {0.1, 0.001, 10}, .fit = {0.2, 0.02, 2}, .log = true,
+       .fitted = true, .when = memory, .meaning = "memory of the noise force", .source = "a control, not in the paper",
+       .at_lower = "the shorter its memory, the nearer the force is to white noise"},
+      {.row = kLambda, .name = "lambda", .symbol = "λ", .unit = {1, -1.5}, .scene = {1, 0, 20}, .fit = {2, 0, 20}, .fitted = true,
+       .published = true, .when = sde,
+       .meaning = "root mean square of the noise force, per component, times the square root of time", .source = "Eq 4"},
       {.row = kLambdaLiteral, .name = "lambda_literal", .symbol = "λ", .unit = {1, -2}, .scene = {1, 0, 20}, .fit = {5, 0, 20},
        .fitted = true, .published = true, .when = literal, .meaning = "amplitude of the random force, as printed", .source = "Eq 4"},
       {.row = kChiRep, .name = "chi_rep", .symbol = "χ_rep", .unit = {1, -2}, .scene = {5.61, 0, 30}, .fit = {5, 0, 20}, .fitted = true, .published = true,
@@ -155,7 +174,9 @@ const std::vector<Parameter>& parameter_table() {
 struct Buffers : Workspace {
   Buffers(const Rng& rng, int dims, Infeasible infeasible) : field(rng), avoider(dims, infeasible) {}
   NoiseField field;
-  GaussianNoise gaussian, area;
+  GaussianNoise gaussian, area, third;
+  std::array<double, 3> of{};  // step, tau and strength of the memory
+  LinearNoise<3> memory;       // of (what the force adds to the place, to the velocity, the force)
   Avoider avoider;
 };
 
@@ -174,9 +195,18 @@ class Bswarm : public Model {
         per_agent_offset_(setup.options.at("offset") == "per_agent"),
         both_sides_(setup.options.at("response") == "both") {}
 
-  Index columns() const override { return 2; }
+  Index columns() const override { return kColumns; }
   std::unique_ptr<Workspace> workspace(const World&, const Rng& rng) const override {
     return std::make_unique<Buffers>(rng, dims_, infeasible_);
+  }
+
+  // The force of memory is drawn from its stationary law.
+  void enter(State& state, Index first, const World&, const StepContext& c) const override {
+    if (noise_ != Noise::ou) return;
+    for (Index i = first; i < state.size(); ++i) {
+      const Array3d eta = c.p[kNoise] * three_normals(c.rng, Stream::hidden, c.tick, state.id[static_cast<std::size_t>(i)]);
+      state.own.row(i).segment(kEta, 3) = flat(eta).transpose();
+    }
   }
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
@@ -190,7 +220,7 @@ class Bswarm : public Model {
       if (stimuli) force += response(now, next, i, *stimuli, world.bounds, c);
       Array3d v = preferred(now.vel.row(i).transpose(), force, c);
       if (avoidance_) v = buffers.avoider.velocity(now, i, v, c, thread);
-      const Array3d within = continuous_ ? astray(now, i, c) : Array3d(Array3d::Zero());
+      const Array3d within = continuous_ ? astray(now, i, c) : noise_ == Noise::ou ? remembered(now, next, i, c) : Array3d(Array3d::Zero());
       for (Index axis = 0; axis < 3; ++axis) {
         next.vel(i, axis) = v[axis];
         next.pos(i, axis) = now.pos(i, axis) + v[axis] * c.dt + within[axis];
@@ -200,12 +230,13 @@ class Bswarm : public Model {
   }
 
  private:
-  enum class Noise { curl, perlin, gaussian, white, none };
+  enum class Noise { curl, perlin, gaussian, white, ou, none };
 
   static Noise parse_noise(std::string_view name) {
     if (name == "curl") return Noise::curl;
     if (name == "perlin") return Noise::perlin;
     if (name == "gaussian") return Noise::gaussian;
+    if (name == "ou") return Noise::ou;
     return name == "white" ? Noise::white : Noise::none;
   }
 
@@ -223,6 +254,7 @@ class Bswarm : public Model {
   void prepare(const State& now, const World& world, const StepContext& c, Buffers& buffers) const {
     if (noise_ == Noise::gaussian) buffers.gaussian.draw(c.rng, Stream::noise, c.tick, now.id);
     if (noise_ == Noise::gaussian && continuous_) buffers.area.draw(c.rng, Stream::noise_path, c.tick, now.id);
+    if (noise_ == Noise::ou) prepare_memory(now, c, buffers);
     if (interaction_) {
       const double reach = c.p[kRRep] + c.p[kRAli] + c.p[kRAtt];
       c.near.build(now.pos, world.bounds, reach);
@@ -248,9 +280,11 @@ class Bswarm : public Model {
       case Noise::none:
         return Array3d::Zero();
       case Noise::white:
-        return flat(amplitude(c) * white_noise(c.rng, c.tick, id));
+        return flat(of_white(c) * white_noise(c.rng, c.tick, id));
       case Noise::gaussian:
         return flat(amplitude(c) * static_cast<const Buffers*>(c.work)->gaussian[i]);
+      case Noise::ou:
+        return added_by_memory(now, i, c, 1) / c.dt;
       case Noise::curl:
       case Noise::perlin:
         break;
@@ -258,8 +292,8 @@ class Bswarm : public Model {
     const NoiseField& field = static_cast<const Buffers*>(c.work)->field;
     Array3d x = now.pos.row(i).transpose() / c.p[kScale];
     if (per_agent_offset_) x += offset_of(c.rng, id);
-    if (noise_ == Noise::perlin) return flat(c.p[kNoise] * potential_as_strong_as_curl(dims_) * field.potential(x));
-    return c.p[kNoise] * (dims_ == 2 ? field.curl2(x) : field.curl(x));
+    if (noise_ == Noise::perlin) return flat(c.p[kNoise] / kRmsPotential * field.potential(x));
+    return c.p[kNoise] / rms_curl(dims_) * (dims_ == 2 ? field.curl2(x) : field.curl(x));
   }
 
   // Continuous noise changes the velocity gradually, so the path falls behind v dt by half of what the kick alone adds to it, and scatters
@@ -267,15 +301,44 @@ class Bswarm : public Model {
   Array3d astray(const State& now, Index i, const StepContext& c) const {
     constexpr double bridge = 0.28867513459481287;  // 1 / sqrt(12)
     const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
-    const double reach = amplitude(c) * c.dt * c.dt;
     if (noise_ == Noise::gaussian) {
       const Buffers& buffers = *static_cast<const Buffers*>(c.work);
-      return flat(reach * (bridge * buffers.area[i] - 0.5 * buffers.gaussian[i]));
+      return flat(amplitude(c) * c.dt * c.dt * (bridge * buffers.area[i] - 0.5 * buffers.gaussian[i]));
     }
-    return flat(reach * (bridge * white_noise(c.rng, c.tick, id, Stream::noise_path) - 0.5 * white_noise(c.rng, c.tick, id)));
+    return flat(of_white(c) * c.dt * c.dt *
+                (bridge * white_noise(c.rng, c.tick, id, Stream::noise_path) - 0.5 * white_noise(c.rng, c.tick, id)));
   }
 
   double amplitude(const StepContext& c) const { return sde_ ? c.p[kLambda] / std::sqrt(c.dt) : c.p[kLambdaLiteral]; }
+
+  // Uniform on [-1, 1), W has the variance 1/3; printed literally it keeps it.
+  double of_white(const StepContext& c) const { return sde_ ? std::numbers::sqrt3 * amplitude(c) : amplitude(c); }
+
+  static void prepare_memory(const State& now, const StepContext& c, Buffers& buffers) {
+    if (const std::array now_of{c.dt, c.p[kTau], c.p[kNoise]}; buffers.of != now_of) {
+      buffers.of = now_of;
+      const LinearNoise<3>::Matrix drift{{{0, 1, 0}, {0, 0, 1}, {0, 0, -1 / c.p[kTau]}}};
+      buffers.memory = LinearNoise<3>(drift, {0, 0, c.p[kNoise] * std::sqrt(2 / c.p[kTau])}, c.dt);
+    }
+    buffers.gaussian.draw(c.rng, Stream::noise, c.tick, now.id);
+    buffers.area.draw(c.rng, Stream::noise_path, c.tick, now.id);
+    buffers.third.draw(c.rng, Stream::noise_path_2, c.tick, now.id);
+  }
+
+  // What the force of memory adds to the place (0) or the velocity (1) by the end of the step, or what it is then (2): exact.
+  Array3d added_by_memory(const State& now, Index i, const StepContext& c, std::size_t row) const {
+    const Buffers& buffers = *static_cast<const Buffers*>(c.work);
+    const auto& draw = buffers.memory.draw[row];
+    const Array3d eta = now.own.row(i).segment(kEta, 3).transpose();
+    const Array3d drawn = draw[0] * buffers.gaussian[i] + draw[1] * buffers.area[i] + draw[2] * buffers.third[i];
+    return buffers.memory.keep[row][2] * eta + flat(drawn);
+  }
+
+  // Where it takes an agent within the step, beside what the new velocity does.
+  Array3d remembered(const State& now, State& next, Index i, const StepContext& c) const {
+    next.own.row(i).segment(kEta, 3) = added_by_memory(now, i, c, 2).transpose();
+    return added_by_memory(now, i, c, 0) - c.dt * added_by_memory(now, i, c, 1);
+  }
 
   static Array3d offset_of(const Rng& rng, std::uint32_t id) {
     const auto xy = rng.uniform2(Stream::noise_table, 2, id, 0);
@@ -366,7 +429,7 @@ ModelSpec bswarm_spec() {
           .largest_dt = 1.0 / 40,  // gamma |v| dt = 0.5 at the upper bound of gamma and the recorded speed
           .quiet = "noise=none",
           .options = option_table(),
-          .columns = {"stimulus", "theta"},
+          .columns = {"stimulus", "theta", "eta_x", "eta_y", "eta_z"},
           .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Bswarm>(setup); }};
 }

@@ -30,6 +30,14 @@ TEST(Presets, FlocksAreComparedByModelsOfFlocks) {
                                                         "local_attraction[repulsion=on]", "pigeon", "langevin"}));
 }
 
+// Two controls: a force with a memory but no field, and a field that nobody shares. The paper has neither.
+TEST(Presets, NoisesHaveControlsThatThePaperHasNot) {
+  const auto ours = models_of("noise");
+  EXPECT_EQ(ours.size(), 6u);
+  EXPECT_TRUE(ours.contains("bswarm[noise=ou]") && ours.contains("bswarm[offset=per_agent]"));
+  EXPECT_EQ(preset_models("noise", true).size(), 4u);
+}
+
 // All others, and every model that any recording can be compared with.
 TEST(Presets, AllAreAllThatMoveInTwoAndThreeDimensions) {
   const auto all = models_of("all");

@@ -430,21 +430,21 @@ def bswarm_force(x, v, gamma, chi_rep, chi_att, r_rep, r_att):
 
 
 @truth("mm", 15, 5, 100, model="bswarm[noise=white,avoidance=none]")
-def bswarm_white(run, gamma=0.008, lambda_=700.0, chi_rep=200.0, chi_att=900.0, r_rep=20.0, r_att=400.0):
+def bswarm_white(run, gamma=0.008, lambda_=404.0, chi_rep=200.0, chi_att=900.0, r_rep=20.0, r_att=400.0):
     """Insect swarm by repulsion, attraction, quadratic drag and white noise.
 
-        dv/dt = chi_att <rhat>_att - chi_rep <rhat>_rep - gamma |v| v + lambda W / sqrt(h)     W: uniform on [-1, 1) per component and step
+        dv/dt = chi_att <rhat>_att - chi_rep <rhat>_rep - gamma |v| v + lambda sqrt(3 / h) W     W: uniform on [-1, 1) per component and step
         rhat: unit vectors to the others, averaged over d < r_rep and over r_rep <= d <= r_rep + r_att
-        gamma = 0.008 /mm, lambda = 700 mm/s^1.5, chi_rep = 200, chi_att = 900 mm/s², r_rep = 20 mm, r_att = 400 mm
+        gamma = 0.008 /mm, lambda = 404 mm/s^1.5, chi_rep = 200, chi_att = 900 mm/s², r_rep = 20 mm, r_att = 400 mm
 
     Source: Ren et al. 2016, eq 2 to 5, noise W; scaled with the step h so that diffusion does not depend on it: the sum of many kicks is
-    Brownian with intensity D = lambda² / 6 per axis. Semi-implicit Euler, warm-up of 8 s, no avoidance.
+    Brownian with intensity D = lambda² / 2 per axis. Semi-implicit Euler, warm-up of 8 s, no avoidance.
 
     Facts: a lone agent without attraction has speeds distributed as v² exp(-gamma v³ / (3 D)).
     """
     def step(state):
         x, v = state
-        kicks = run.rng.uniform(-1.0, 1.0, x.shape) * (lambda_ * math.sqrt(run.h))
+        kicks = run.rng.uniform(-1.0, 1.0, x.shape) * (lambda_ * math.sqrt(3.0 * run.h))
         v = v + bswarm_force(x, v, gamma, chi_rep, chi_att, r_rep, r_att) * run.h + kicks
         return x + v * run.h, v
 
@@ -453,21 +453,21 @@ def bswarm_white(run, gamma=0.008, lambda_=700.0, chi_rep=200.0, chi_att=900.0, 
 
 
 @truth("mm", 15, 5, 100, model="bswarm[avoidance=none]", steps=5)
-def bswarm_curl(run, gamma=0.02, noise=900.0, scale=50.0, chi_rep=600.0, chi_att=900.0, r_rep=40.0, r_att=400.0):
+def bswarm_curl(run, gamma=0.02, noise=897.0, scale=50.0, chi_rep=600.0, chi_att=900.0, r_rep=40.0, r_att=400.0):
     """The same swarm with curl noise, a field fixed in space and the same for all.
 
-        force: noise curl P(x / scale) instead of lambda W / sqrt(h)
-        gamma = 0.02 /mm, noise = 900 mm/s², scale = 50 mm, chi_rep = 600, chi_att = 900 mm/s², r_rep = 40 mm, r_att = 400 mm
+        force: noise / 0.9962 curl P(x / scale) instead of lambda sqrt(3 / h) W
+        gamma = 0.02 /mm, noise = 897 mm/s² (root mean square per component), scale = 50 mm, chi_rep = 600, chi_att = 900 mm/s², r_rep = 40 mm, r_att = 400 mm
 
     Source: Ren et al. 2016, eq 2 to 5, noise C; Perlin 2002; Bridson et al. 2007. Semi-implicit Euler, warm-up of 5 s, no avoidance.
 
-    Facts: the field has no divergence and 1.72 noise rms; two agents at one place and velocity feel the same force.
+    Facts: the field has no divergence and 1.73 noise rms; two agents at one place and velocity feel the same force.
     """
     field = Perlin(run.rng)
 
     def step(state):
         x, v = state
-        force = bswarm_force(x, v, gamma, chi_rep, chi_att, r_rep, r_att) + noise * curl(field(x / scale)[1])
+        force = bswarm_force(x, v, gamma, chi_rep, chi_att, r_rep, r_att) + noise / 0.9962 * curl(field(x / scale)[1])
         v = v + force * run.h
         return x + v * run.h, v
 

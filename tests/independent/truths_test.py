@@ -137,7 +137,7 @@ class ActiveParticles(unittest.TestCase):
         for steps in (5, 10):
             alone = {"chi_rep": 0.0, "chi_att": 0.0}
             x = positions_of("bswarm_white", seed=4, agents=400, seconds=0.5, fps=200, steps=steps, settings=alone)
-            u = 0.008 * (step_lengths(x) * 200) ** 3 / (3 * 700.0 ** 2 / 6)
+            u = 0.008 * (step_lengths(x) * 200) ** 3 / (3 * 404.0 ** 2 / 2)
             self.assertAlmostEqual(u.mean(), 1.0, delta=0.12)
             self.assertAlmostEqual(u.std(), 1.0, delta=0.25)
 

@@ -124,28 +124,36 @@ TEST(BswarmNoise, FieldsAreThoseOfTheSeed) {
     const Values values{{"noise", 4}, {"scale", 0.5}};
     return Array3d(forces("bswarm[avoidance=none,interaction=off,noise=" + noise + "]", {r}, values).row(0).transpose());
   };
-  EXPECT_LT((force("curl") - 4 * field.curl(r / 0.5)).abs().maxCoeff(), 1e-9);
-  EXPECT_LT((force("perlin") - 4 * 3.68 * field.potential(r / 0.5)).abs().maxCoeff(), 1e-9);
+  EXPECT_LT((force("curl") - 4 / 0.9962 * field.curl(r / 0.5)).abs().maxCoeff(), 1e-9);
+  EXPECT_LT((force("perlin") - 4 / 0.27 * field.potential(r / 0.5)).abs().maxCoeff(), 1e-9);
 }
 
-// One parameter, one bound: fields of the same strength push equally hard, root mean square. In the plane a field's strength depends on
-// where the plane cuts the lattice: hence many seeds.
-TEST(BswarmNoise, FieldsOfOneStrengthAreEquallyStrong) {
+// One parameter, one bound: forces of the same strength push equally hard, root mean square, whatever their kind. In the plane a field's
+// strength depends on where the plane cuts the lattice: hence many seeds.
+TEST(BswarmNoise, ForcesOfOneStrengthAreEquallyStrong) {
   for (const int dims : {2, 3}) {
     const auto strength = [&](const std::string& noise) {
       const Made made = make("bswarm[avoidance=none,interaction=off,noise=" + noise + "]", dims);
       double square = 0;
       for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         Lane lane = crowd(made, 200, 200, 0, seed, dims);
-        set(made, lane, {{"noise", 1}, {"scale", 1}});
+        set(made, lane, {{"noise", 1}, {"scale", 1}, {"tau", 10}});
         run(made, {.frame_dt = 1e-3, .frames = 2}, lane);
         square += (lane.state.vel / 1e-3).square().rowwise().sum().mean() / 200;
       }
       return std::sqrt(square);
     };
-    const double curl = strength("curl"), perlin = strength("perlin");
-    EXPECT_NEAR(curl, dims == 2 ? 1.00 : 1.72, 0.02);
-    EXPECT_NEAR(perlin / curl, 1, 0.02) << dims;
+    for (const char* noise : {"curl", "perlin", "ou", "curl,offset=per_agent"})
+      EXPECT_NEAR(strength(noise) / std::sqrt(dims), 1, 0.02) << noise << dims;
+  }
+}
+
+TEST(BswarmNoise, AllStrengthsAreSearchedBetweenTheSameBounds) {
+  const ModelSpec& spec = *parse_model("bswarm").spec;
+  const auto fit = [&](const char* name) { return spec.parameters[static_cast<std::size_t>(spec.find(name))].fit; };
+  for (const char* name : {"lambda", "lambda_literal"}) {
+    EXPECT_EQ(fit(name).lower, fit("noise").lower) << name;
+    EXPECT_EQ(fit(name).upper, fit("noise").upper) << name;
   }
 }
 
@@ -157,8 +165,8 @@ TEST(BswarmNoise, OffsetsGiveEveryAgentItsOwnField) {
   EXPECT_GT((own.row(0) - own.row(1)).abs().maxCoeff(), 0.01);
 }
 
-// Free agents after time t: var(v) = lambda² t for Gaussian noise, a third of it for white, whatever the step; with literal scaling it is
-// lambda² t dt. 5700 samples: the band of 5 standard errors is ±9 % (level 6e-7).
+// Free agents after time t: var(v) = lambda² t for Gaussian and white noise, whatever the step; with literal scaling it is lambda² t dt,
+// and a third of it for white noise. 5700 samples: the band of 5 standard errors is ±9 % (level 6e-7).
 TEST(BswarmNoise, DiffusionDoesNotDependOnTheStep) {
   const double lambda = 1.3, t = 0.4;
   const auto variance = [&](const std::string& options, const char* parameter, double dt) {
@@ -171,8 +179,36 @@ TEST(BswarmNoise, DiffusionDoesNotDependOnTheStep) {
   };
   for (const double dt : {0.1, 0.02, 0.005}) {
     EXPECT_NEAR(variance("noise=gaussian", "lambda", dt) / (lambda * lambda * t), 1, 0.09) << dt;
-    EXPECT_NEAR(variance("noise=white", "lambda", dt) / (lambda * lambda * t / 3), 1, 0.09) << dt;
+    EXPECT_NEAR(variance("noise=white", "lambda", dt) / (lambda * lambda * t), 1, 0.09) << dt;
     EXPECT_NEAR(variance("noise=gaussian,noise_scaling=literal", "lambda_literal", dt) / (lambda * lambda * t * dt), 1, 0.09) << dt;
+    EXPECT_NEAR(variance("noise=white,noise_scaling=literal", "lambda_literal", dt) / (lambda * lambda * t * dt / 3), 1, 0.09) << dt;
+  }
+}
+
+// A force of memory, closed forms (Uhlenbeck & Ornstein 1930): from rest, with s = t / tau,
+//   <v²> = 2 (noise tau)² (s - 1 + e^-s),   <x²> the integral of its correlation, below
+// by steps of any length, since they are exact.
+// 5700 samples: the band of 5 standard errors is ±9 %.
+TEST(BswarmNoise, ForceWithMemoryIsOrnsteinUhlenbeck) {
+  const double noise = 1.3, tau = 0.15, t = 0.4, s = t / tau;
+  const double velocity = 2 * noise * noise * tau * tau * (s - 1 + std::exp(-s));
+  // <x²> = 2 noise² ∫∫ (t - a)(t - b) e^-(b - a)/tau over a < b
+  double place = 0;
+  constexpr int n = 2000;
+  for (int i = 0; i < n; ++i) {
+    const double left = t - (i + 0.5) * t / n;
+    double inner = 0;
+    for (int j = i; j < n; ++j) inner += (t - (j + 0.5) * t / n) * std::exp(-(j - i) * t / n / tau) * (j == i ? 0.5 : 1.0);
+    place += 2 * noise * noise * left * inner * (t / n) * (t / n);
+  }
+  const Made made = make("bswarm[avoidance=none,interaction=off,noise=ou]");
+  for (const double dt : {0.2, 0.02}) {
+    Lane lane = crowd(made, 0, 1, 1);
+    set(made, lane, {{"gamma", 0}, {"noise", noise}, {"tau", tau}});
+    for (int k = 0; k < 1900; ++k) lane.state.spawn(0, {0, 0, 0}, {0, 0, 0});
+    run(made, {.frame_dt = dt, .frames = 1 + static_cast<std::int64_t>(std::lround(t / dt))}, lane);
+    EXPECT_NEAR(lane.state.vel.square().mean() / velocity, 1, 0.09) << dt;
+    EXPECT_NEAR(lane.state.pos.square().mean() / place, 1, 0.09) << dt;
   }
 }
 

@@ -45,11 +45,11 @@ TEST(ContinuousNoise, Brownian) {
 }
 
 TEST(ContinuousNoise, BswarmWithWhiteAndGaussianNoise) {
-  for (const auto& [noise, variance] : {std::pair{"white", 1.0 / 3}, std::pair{"gaussian", 1.0}})
+  for (const char* noise : {"white", "gaussian"})
     for (const int steps : {1, 4}) {
       const std::string name = std::string("bswarm[interaction=off,avoidance=none,noise=") + noise + "]";
       const Second s = second_differences(name.c_str(), {{"gamma", 0}, {"lambda", 1}}, steps);
-      EXPECT_NEAR(s.variance / variance, 2.0 / 3, 0.02) << noise << steps;
+      EXPECT_NEAR(s.variance, 2.0 / 3, 0.02) << noise << steps;
       EXPECT_NEAR(s.correlation, 0.25, 0.02) << noise << steps;
     }
 }

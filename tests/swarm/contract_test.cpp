@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "fit/results/axis_scale.h"
 #include "libswarm/stimuli.h"
 #include "libswarm/walls.h"
 #include "tests/swarm/lane.h"
@@ -339,7 +340,7 @@ TEST_P(EveryModel, ManyRandomCandidatesMoveAboutAsFastAsTheRecording) {
         const Parameter& row = choice.spec->parameters[p];
         const auto [initial, lower, upper] = row.fit;
         const double u = Rng{77}.uniform(Stream::probe, k, static_cast<std::uint32_t>(p));
-        const double drawn = row.log ? lower * std::pow(upper / lower, u) : lower + u * (upper - lower);
+        const double drawn = value_at(scale_of(row.log, lower), lower, upper, u);
         lane.p[p] = row.scale(r.scales) * (row.fitted && choice.spec->uses(p, choice.options) ? drawn : initial);
       }
       Recorded out;

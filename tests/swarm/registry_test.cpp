@@ -52,7 +52,8 @@ TEST(ParseModel, CompletesAndNames) {
 TEST(ParseModel, ErrorsNameWhatIsLegal) {
   EXPECT_THAT(error_of("bswrm"), AllOf(HasSubstr("'bswrm'"), HasSubstr("expected one of bswarm, boids")));
   EXPECT_THAT(error_of("bswarm[nose=white]"), AllOf(HasSubstr("'nose'"), HasSubstr("expected one of noise, interaction")));
-  EXPECT_THAT(error_of("bswarm[noise=pink]"), AllOf(HasSubstr("'pink'"), HasSubstr("expected one of curl, perlin, gaussian, white, none")));
+  EXPECT_THAT(error_of("bswarm[noise=pink]"),
+              AllOf(HasSubstr("'pink'"), HasSubstr("expected one of curl, perlin, gaussian, white, ou, none")));
   EXPECT_THAT(error_of("bswarm[noise=white"), HasSubstr("no closing bracket"));
   EXPECT_THAT(error_of("bswarm[white]"), HasSubstr("'white' is not a setting"));
   EXPECT_THAT(error_of("bswarm[noise=white,noise=curl]"), HasSubstr("given twice"));
