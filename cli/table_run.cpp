@@ -68,7 +68,7 @@ std::vector<Setting> run_settings() {
   };
 }
 
-std::vector<Setting> output_settings() {
+std::vector<Setting> output_settings() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "out",
        .in = kSyntheses,

@@ -63,7 +63,7 @@ class Collector {
   Collector(const Sizes& sizes, std::int64_t first, std::int64_t last) : sizes_(sizes), first_(first), frames_(last - first + 1) {
     map_.side = kMapSide;
     map_.reach = kMapReach * sizes.nearest;
-    map_.density.assign(static_cast<std::size_t>(kMapSide * kMapSide), 0);
+    map_.density.assign(std::size_t{kMapSide} * kMapSide, 0);
   }
 
   void add(const Moment& moment) {
@@ -140,7 +140,7 @@ class Collector {
       const auto square = [&](double x) { return static_cast<int>(std::floor((x / map_.reach + 1) / 2 * kMapSide)); };
       const int x = square(across), y = square(along);
       if (x < 0 || y < 0 || x >= kMapSide || y >= kMapSide) continue;
-      ++map_.density[static_cast<std::size_t>(y * kMapSide + x)];
+      ++map_.density[static_cast<std::size_t>(y) * kMapSide + static_cast<std::size_t>(x)];
       ++map_.counted;
     }
   }

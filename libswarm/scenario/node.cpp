@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
@@ -18,12 +19,14 @@ Node node_of(const toml::node& from) {
   node.line = static_cast<long>(from.source().begin.line);
   node.column = static_cast<long>(from.source().begin.column);
   if (const auto* table = from.as_table()) {
-    Node::Entries entries;
-    for (const auto& [key, value] : *table) entries.emplace_back(std::string(key.str()), node_of(value));
+    std::vector<std::pair<std::string, Node>> found;
+    for (const auto& [key, value] : *table) found.emplace_back(std::string(key.str()), node_of(value));
     // toml++ sorts by key.
-    std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
       return std::pair(a.second.line, a.second.column) < std::pair(b.second.line, b.second.column);
     });
+    Node::Entries entries;
+    for (auto& [key, value] : found) entries.keys.push_back(std::move(key)), entries.values.push_back(std::move(value));
     node.value = std::move(entries);
   } else if (const auto* array = from.as_array()) {
     Node::Array items;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,7 +10,10 @@ namespace swarmfit {
 
 struct Node {
   using Array = std::vector<Node>;
-  using Entries = std::vector<std::pair<std::string, Node>>;  // in the order of the file
+  struct Entries {  // in the order of the file
+    std::vector<std::string> keys;
+    std::vector<Node> values;
+  };
 
   std::variant<std::monostate, bool, std::int64_t, double, std::string, Array, Entries> value;  // monostate: dates and times
   long line = 0, column = 0;

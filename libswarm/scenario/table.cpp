@@ -25,8 +25,9 @@ std::optional<double> number_of(const Node& node) {
 Table::Table(const std::string& path, const Node& table, std::string heading) : path_(&path), node_(&table), heading_(std::move(heading)) {}
 
 const Node* Table::find(std::string_view key) const {
-  for (const auto& [name, node] : entries_of(*node_))
-    if (name == key) return &node;
+  const Node::Entries& entries = entries_of(*node_);
+  for (std::size_t k = 0; k < entries.keys.size(); ++k)
+    if (entries.keys[k] == key) return &entries.values[k];
   return nullptr;
 }
 
@@ -155,11 +156,7 @@ std::vector<Table> Table::tables(std::string_view key) {
   return all;
 }
 
-std::vector<std::string> Table::keys() const {
-  std::vector<std::string> names;
-  for (const auto& entry : entries_of(*node_)) names.push_back(entry.first);
-  return names;
-}
+std::vector<std::string> Table::keys() const { return entries_of(*node_).keys; }
 
 void Table::finish() const {
   for (const auto& key : keys())
