@@ -40,7 +40,8 @@ plot::Curve thinned(const TrackMeta& meta, std::span<const std::int64_t> frame, 
 svg::Box panel_box(const svg::Sheet& sheet, std::size_t k, double top) {
   const double width = (sheet.width() - 2 * kLeft - kGap / 2) / 2;
   const double left = kLeft + (k % 2 == 0 ? 0 : width + kGap);
-  return {left, top + static_cast<double>(k / 2) * kRowHeight, width - kGap / 2, kPanelHeight};
+  const std::size_t row = k / 2;
+  return {left, top + static_cast<double>(row) * kRowHeight, width - kGap / 2, kPanelHeight};
 }
 
 plot::Axis axis_over(const std::vector<plot::Curve>& curves, double svg::Point::*part) {

@@ -126,7 +126,7 @@ std::string curve_csv(const GroupCurve& c) {
 void write_group(const std::string& dir, std::size_t number, const TrackMeta& meta, const MeasuredGroup& g) {
   const std::string tail = number == 0 ? "" : fmt::format("_{}_{}", number, file_part(g.name));
   write_file_atomically(dir + "/tables/series" + tail + ".csv", series_csv(meta, g));
-  for (const GroupCurve& c : g.curves.curves) write_file_atomically(dir + "/tables/" + c.key + tail + ".csv", curve_csv(c));
+  for (const GroupCurve& c : g.curves.curves) write_file_atomically(fmt::format("{}/tables/{}{}.csv", dir, c.key, tail), curve_csv(c));
 }
 
 void write_figure(const std::string& dir, const std::string& name, const std::string& svg) {
