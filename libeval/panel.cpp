@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "libeval/centre.h"
+#include "libeval/jackknife.h"
 #include "libeval/metrics.h"
 #include "libeval/order.h"
 #include "libeval/spacing.h"
@@ -225,21 +226,12 @@ Panel panel_of(const Sums& s, const PanelPlan& plan) {
   return out;
 }
 
-// Jackknife standard error of one number from its values with each block left out.
-double jackknife(const std::vector<double>& without) {
-  const auto n = static_cast<double>(without.size());
-  double mean = 0, squares = 0;
-  for (const double x : without) mean += x / n;
-  for (const double x : without) squares += (x - mean) * (x - mean);
-  return std::sqrt(squares * (n - 1) / n);
-}
-
 std::vector<double> jackknife(const std::vector<Panel>& without, std::vector<double> Panel::*part) {
   std::vector<double> out;
   for (std::size_t k = 0; k < (without.front().*part).size(); ++k) {
     std::vector<double> column;
     for (const Panel& p : without) column.push_back((p.*part)[k]);
-    out.push_back(jackknife(column));
+    out.push_back(swarmfit::jackknife(column));
   }
   return out;
 }

@@ -5,26 +5,10 @@
 
 #include <algorithm>
 
+#include "libtrack/interpolate.h"
+
 namespace swarmfit {
 namespace {
-
-// One row of the result: between rows a and b = a + 1 of the input, `part` of the way.
-struct Source {
-  Index a;
-  double part;
-};
-
-Rows interpolated(const Rows& rows, const std::vector<Source>& sources) {
-  if (rows.rows() == 0) return rows;
-  Rows out(static_cast<Index>(sources.size()), 3);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-      const auto [a, part] = sources[i];
-      out(static_cast<Index>(i), axis) = part == 0 ? rows(a, axis) : rows(a, axis) + part * (rows(a + 1, axis) - rows(a, axis));
-    }
-  }
-  return out;
-}
 
 // No episode starts in (from, to].
 bool one_take(const std::vector<std::int64_t>& episodes, std::int64_t from, std::int64_t to) {
@@ -34,7 +18,7 @@ bool one_take(const std::vector<std::int64_t>& episodes, std::int64_t from, std:
 }  // namespace
 
 void fill_gaps(TrackColumns& columns, int most, std::vector<std::string>& notes) {
-  std::vector<Source> sources;
+  std::vector<Between> sources;
   TrackColumns out;
   std::size_t gaps = 0;
   const std::size_t n = columns.frame.size();

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "libtrack/error.h"
+#include "libtrack/interpolate.h"
 
 namespace swarmfit {
 namespace {
@@ -14,24 +15,6 @@ namespace {
 constexpr double kMostRows = 1e6, kMostPerRow = 100;  // of the result
 constexpr double kJoined = 1.5;                       // of the usual interval: jitter, but no missed frame
 constexpr double kSame = 1e-9;                        // of a frame: the same moment
-
-// One row of the result: between rows a and a + 1 of the input, `part` of the way.
-struct Source {
-  Index a;
-  double part;
-};
-
-Rows interpolated(const Rows& rows, const std::vector<Source>& sources) {
-  if (rows.rows() == 0) return rows;
-  Rows out(static_cast<Index>(sources.size()), 3);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-      const auto [a, part] = sources[i];
-      out(static_cast<Index>(i), axis) = part == 0 ? rows(a, axis) : rows(a, axis) + part * (rows(a + 1, axis) - rows(a, axis));
-    }
-  }
-  return out;
-}
 
 bool same_track(const TrackColumns& c, std::size_t i) { return i + 1 < c.track.size() && c.track[i + 1] == c.track[i]; }
 
@@ -55,7 +38,7 @@ bool one_take(const std::vector<std::int64_t>& episodes, std::int64_t from, std:
 
 void resample(TrackColumns& columns, TrackMeta& meta, double hz) {
   const double ratio = meta.dt * hz, usual = usual_step(columns), longest = std::max(1 / ratio, kJoined * usual) + kSame;
-  std::vector<Source> sources;
+  std::vector<Between> sources;
   TrackColumns out;
   std::size_t holes = 0;
   const auto add = [&](std::size_t i, double part, std::int64_t frame) {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "libeval/jackknife.h"
 #include "libeval/panel.h"
 #include "libtrack/cut.h"
 #include "libtrack/rng.h"
@@ -205,14 +206,6 @@ Values values_of(const Sums& s, const std::vector<double>& even, double width) {
     before_r = r, before_c = v.c[k];
   }
   return v;
-}
-
-double jackknife(const std::vector<double>& without) {
-  const auto n = static_cast<double>(without.size());
-  double mean = 0, squares = 0;
-  for (const double x : without) mean += x / n;
-  for (const double x : without) squares += (x - mean) * (x - mean);
-  return std::sqrt(squares * (n - 1) / n);
 }
 
 void add_curve(GroupCurves& out, GroupCurve like, const Values& all, const std::vector<Values>& without, std::vector<double> Values::*part,
