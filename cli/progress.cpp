@@ -82,4 +82,28 @@ void StudyProgress::done(const std::string& what) {
   if (!quiet_) std::fprintf(stderr, "%zu/%zu: %s\n", done_, all_, what.c_str());
 }
 
+CountLine::CountLine(bool quiet, std::string what)
+    : shown_(!quiet && isatty(STDERR_FILENO) != 0),
+      what_(std::move(what)),
+      start_(std::chrono::steady_clock::now()),
+      last_(start_ - kRefresh) {}
+
+CountLine::~CountLine() {
+  if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+void CountLine::show(std::size_t done, std::size_t all) {
+  if (!found_) found_ = done;
+  const auto now = std::chrono::steady_clock::now();
+  if (!shown_ || now - last_ < kRefresh) return;
+  last_ = now;
+  std::string text = fmt::format("{} of {} {}", done, all, what_);
+  if (done > *found_) {
+    const double each = seconds(now - start_) / static_cast<double>(done - *found_);
+    text += fmt::format(", about {:.0f} s left", each * static_cast<double>(all - done));
+  }
+  std::fprintf(stderr, "\r\033[K%s", text.c_str());
+  std::fflush(stderr);
+}
+
 }  // namespace swarmfit::cli

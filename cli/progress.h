@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "fit/compare/compare.h"
@@ -44,6 +46,22 @@ class StudyProgress {
   std::chrono::steady_clock::duration spent_{};  // on those computed
   std::chrono::steady_clock::time_point last_;   // when one was done
   ProgressLine line_;
+};
+
+// How many of equal pieces of work are done, in a line that renews itself on a terminal, with the time left.
+class CountLine {
+ public:
+  CountLine(bool quiet, std::string what);
+  ~CountLine();
+  CountLine(const CountLine&) = delete;
+  CountLine& operator=(const CountLine&) = delete;
+  void show(std::size_t done, std::size_t all);  // the first call tells what was found in a checkpoint
+
+ private:
+  bool shown_;
+  std::string what_;
+  std::optional<std::size_t> found_;
+  std::chrono::steady_clock::time_point start_, last_;
 };
 
 }  // namespace swarmfit::cli

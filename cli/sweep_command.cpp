@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sweep: a model over a range of its parameters, options and scene settings.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -12,6 +11,7 @@
 #include "cli/interrupt.h"
 #include "cli/parse.h"
 #include "cli/parts.h"
+#include "cli/progress.h"
 #include "cli/scenes.h"
 #include "cli/setting.h"
 #include "cli/style.h"
@@ -82,23 +82,6 @@ void refuse_impossible(const SweepOptions& o) {
   if (o.hysteresis && o.latin > 0) throw InputError("`hysteresis`: there is no way up and down a Latin hypercube; expected one of both");
 }
 
-// The number of runs done, in a line that renews itself on a terminal.
-class RunCount {
- public:
-  explicit RunCount(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
-  ~RunCount() {
-    if (shown_) std::fputs("\r\033[K", stderr);
-  }
-  RunCount(const RunCount&) = delete;
-  RunCount& operator=(const RunCount&) = delete;
-  void show(std::size_t done, std::size_t all) const {
-    if (shown_) std::fprintf(stderr, "\r\033[K%zu of %zu runs", done, all);
-  }
-
- private:
-  bool shown_;
-};
-
 }  // namespace
 
 int sweep(const Arguments& a) {
@@ -116,7 +99,7 @@ int sweep(const Arguments& a) {
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, "", config_toml("sweep", a.config)}, a.resume);
   Sweep result;
   try {
-    const RunCount count(a.common.quiet || !cluster().first());
+    CountLine count(a.common.quiet || !cluster().first(), "runs");
     result = run_sweep(
         options, [&](std::size_t done, std::size_t all) { count.show(done, all); }, {&executor(), &checkpoint}, a.part);
   } catch (const Interrupted&) {

@@ -10,6 +10,7 @@
 
 #include "fit/experiment/kept_work.h"
 #include "fit/optimise/genetic.h"
+#include "libeval/energy.h"
 #include "libeval/order.h"
 #include "libtrack/error.h"
 
@@ -122,14 +123,10 @@ std::vector<SweepCell> hypercube(const SweepOptions& o) {
 
 void summarise(SweepCell& cell, std::size_t quantities) {
   for (std::size_t k = 0; k < quantities; ++k) {
-    double sum = 0, count = 0, squares = 0;
-    for (const SweepRun& run : cell.runs)
-      if (std::isfinite(run.means[k])) sum += run.means[k], ++count;
-    const double mean = count > 0 ? sum / count : kNaN;
-    for (const SweepRun& run : cell.runs)
-      if (std::isfinite(run.means[k])) squares += (run.means[k] - mean) * (run.means[k] - mean);
-    cell.mean.push_back(mean);
-    cell.sd.push_back(count > 1 ? std::sqrt(squares / (count - 1)) : kNaN);
+    Moments over;
+    for (const SweepRun& run : cell.runs) over.add(run.means[k]);
+    cell.mean.push_back(over.count > 0 ? over.mean : kNaN);
+    cell.sd.push_back(over.count > 1 ? std::sqrt(over.m2 / static_cast<double>(over.count - 1)) : kNaN);
   }
   std::map<std::string, int> states;
   for (const SweepRun& run : cell.runs)

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "fit/experiment/conditions.h"
+#include "fit/synthesis/recorded_velocities.h"
 #include "libswarm/replay.h"
 #include "libswarm/simulate.h"
 #include "libtrack/error.h"
@@ -204,21 +205,15 @@ Tracks extend(const Tracks& recording, const ExtendOptions& options) {
 
 Tracks augment(const Tracks& recording, const AugmentOptions& options) {
   const Rng rng{options.pilot.seed};
-  std::vector<Index> moving;
-  for (Index row = 0; row < recording.rows(); ++row)
-    if (recording.next()[static_cast<std::size_t>(row)] >= 0) moving.push_back(row);
-  if (moving.empty())
+  const RecordedVelocities velocities(recording);
+  if (velocities.none())
     throw InputError(recording.meta().from.path + ": nobody is seen in two frames on end; expected tracks to take velocities from");
   std::vector<std::string> names = recording.names();
   State start;
-  const auto any_of = [](double u, std::size_t n) { return static_cast<std::size_t>(u * static_cast<double>(n)); };
   for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(options.add); ++k) {
     const auto u = rng.uniform2(Stream::start, 0, k);
-    const auto place = static_cast<Index>(any_of(u[0], static_cast<std::size_t>(recording.rows())));
-    const Index like = moving[any_of(u[1], moving.size())], after = recording.next()[static_cast<std::size_t>(like)];
-    start.spawn(0, recording.pos().row(place).transpose(),
-                (recording.pos().row(after) - recording.pos().row(like)).transpose() / recording.dt(),
-                static_cast<std::uint32_t>(recording.track_count()) + k);
+    const auto place = static_cast<Index>(u[0] * static_cast<double>(recording.rows()));
+    start.spawn(0, recording.pos().row(place).transpose(), velocities.at(u[1]), static_cast<std::uint32_t>(recording.track_count()) + k);
     names.push_back(fmt::format("synthetic{}", k + 1));
     if (std::find(recording.names().begin(), recording.names().end(), names.back()) != recording.names().end())
       throw InputError(fmt::format("{}: there is an individual by the name of {}; expected that name to be free",

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "fit/experiment/conditions.h"
+#include "fit/synthesis/recorded_velocities.h"
 #include "libswarm/curve_guide.h"
 #include "libswarm/noise.h"
 #include "libswarm/simulate.h"
@@ -18,17 +19,13 @@ constexpr double kReach = 0.25;  // of that
 using Eigen::Array3d;
 
 State near_key_points(const Tracks& reference, const Curve& curve, double reach, int agents, const Rng& rng) {
-  std::vector<Index> moving;
-  for (Index row = 0; row < reference.rows(); ++row)
-    if (reference.next()[static_cast<std::size_t>(row)] >= 0) moving.push_back(row);
-  const auto any_of = [](double u, std::size_t n) { return static_cast<std::size_t>(u * static_cast<double>(n)); };
+  const RecordedVelocities velocities(reference);
   State state;
   for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(agents); ++k) {
     const auto u = rng.uniform2(Stream::start, 0, k);
-    const Index like = moving[any_of(u[1], moving.size())], after = reference.next()[static_cast<std::size_t>(like)];
     const Array3d aside = random_direction(rng, Stream::start, 1, k, 0, reference.dims()) * reach * rng.uniform(Stream::start, 2, k);
-    state.spawn(0, curve.points[any_of(u[0], curve.points.size())] + aside,
-                (reference.pos().row(after) - reference.pos().row(like)).transpose() / reference.dt());
+    const auto point = static_cast<std::size_t>(u[0] * static_cast<double>(curve.points.size()));
+    state.spawn(0, curve.points[point] + aside, velocities.at(u[1]));
   }
   return state;
 }
