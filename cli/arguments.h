@@ -53,7 +53,6 @@ struct Arguments {
   std::string write_as;  // of convert: name of a format; empty: by the ending of `out`
 
   CompareOptions compare;        // of fit, compare, power and recover; its lags, binning and velocity also of evaluate
-  bool common_dynamics = false;  // fit what the models have in common once
   RecoveryOptions recovery;      // without its CompareOptions
   bool parameters = false;       // recover the parameters of one model, instead of which model
   int seeds = 0;                 // of power and sweep

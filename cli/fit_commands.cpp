@@ -23,9 +23,7 @@
 #include "cli/style.h"
 #include "cli/version.h"
 #include "fit/compare/across.h"
-#include "fit/compare/common_dynamics.h"
 #include "fit/compare/facts.h"
-#include "fit/compare/hold_out.h"
 #include "libeval/lags.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
@@ -65,11 +63,9 @@ void say_what_was_taken_up(const Arguments& a, const Tally& tally) {
 }
 
 // Compares on one recording and writes its run directory. The checkpoint stays: the caller removes it when all is done.
-Comparison run_one(const Arguments& a, CompareOptions options, const Tracks& recording, const std::string& path, const std::string& dir) {
+Comparison run_one(const Arguments& a, const CompareOptions& options, const Tracks& recording, const std::string& path, const std::string& dir) {
   const auto start = std::chrono::steady_clock::now();
-  // Of what is held out, nothing may be known: not even at which lags it shows motion.
-  options.lags = lags_for(make_conditions(options.hold_out ? halves(recording).fitted : recording, options.conditions), options);
-  const Settings config = with(with(a.config, "DATA", toml_array({path})), "lags", toml_string(lags_text(options.lags)));  // as chosen
+  const Settings config = with(a.config, "DATA", toml_array({path}));
   const auto text = config_toml(options.models.size() > 1 ? "compare" : "fit", config);
   // Of several recordings, one whose turn had not come has no checkpoint to take up.
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, text}, a.resume);
@@ -77,7 +73,6 @@ Comparison run_one(const Arguments& a, CompareOptions options, const Tracks& rec
   const OnCompareProgress on_progress = [&line](const CompareProgress& now) { line.show(now); };
   Tally tally;
   const Runtime runtime{&executor(), &checkpoint, &tally};
-  if (a.common_dynamics) options = with_common_dynamics(recording, options, on_progress, runtime);
   Comparison result = swarmfit::compare(recording, options, on_progress, runtime);
   result.run.version = kVersion;
   result.run.config = config;

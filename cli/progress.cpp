@@ -11,6 +11,8 @@ namespace {
 
 constexpr auto kRefresh = std::chrono::milliseconds(200);
 
+std::string of_part(const CompareProgress& now) { return now.part.empty() ? "" : now.part + ", "; }
+
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 }  // namespace
@@ -33,14 +35,14 @@ void ProgressLine::wipe() {
 std::string ProgressLine::text(const CompareProgress& now) const {
   const double rate = static_cast<double>(now.simulations) / std::max(1e-9, seconds(std::chrono::steady_clock::now() - start_));
   const double left = static_cast<double>(std::max<std::int64_t>(0, now.planned - now.simulations)) / rate;
-  return fmt::format("pass {}/{}  {} ({} of {})  {}/{} simulations, {:.0f}/s, at most {:.0f} s left for it  best {:.4f}", now.pass,
-                     now.passes, now.model, now.index + 1, now.models, now.simulations, now.planned, rate, left, now.best);
+  return fmt::format("{}pass {}/{}  {} ({} of {})  {}/{} simulations, {:.0f}/s, at most {:.0f} s left for it  best {:.4f}",
+                     of_part(now), now.pass, now.passes, now.model, now.index + 1, now.models, now.simulations, now.planned, rate, left, now.best);
 }
 
 void ProgressLine::show(const CompareProgress& now, const std::string& before) {
   if (quiet_) return;
   const auto time = std::chrono::steady_clock::now();
-  const std::string phase = fmt::format("pass {}: {} ({} of {})", now.pass, now.model, now.index + 1, now.models);
+  const std::string phase = fmt::format("{}pass {}: {} ({} of {})", of_part(now), now.pass, now.model, now.index + 1, now.models);
   if (phase != phase_) {
     phase_ = phase;
     start_ = last_in_phase_;

@@ -7,7 +7,7 @@
 namespace swarmfit::cli {
 namespace {
 
-constexpr double kMostCandidates = 1e9, kMostReplicates = 1'000, kMostBins = 100'000, kMostIndividuals = 10'000;
+constexpr double kMostCandidates = 1e9, kMostReplicates = 1'000, kMostSearches = 100, kMostBins = 100'000, kMostIndividuals = 10'000;
 constexpr double kStrongestSmoothing = 10'000;  // frames
 constexpr double kMostRecordings = 10'000;      // per model
 constexpr int kRen2016Passes = 10;              // of the calibration loop; the paper iterates until the weights settle and names no limit
@@ -150,19 +150,37 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
        .help = "fit what all the models have in common once, with the first of them, and keep it (the paper's noise comparison)",
        .allowed = on_or_off(),
        .group = kSearch,
-       .use = [](Arguments& a, const Value& v) { a.common_dynamics = v.on(); }},
+       .use = [](Arguments& a, const Value& v) { a.compare.common_dynamics = v.on(); }},
       {.name = "holdout",
        .in = kFits,
-       .help = "fit the first half of the recording alone, and score every model on the second, too; between them the time in which the "
-               "group crosses itself is left out",
-       .allowed = on_or_off(),
-       .use = [](Arguments& a, const Value& v) { a.compare.hold_out = v.on(); }},
+       .help = "rank by what was not fitted: fit every model to each half of the recording as well, and score it on the other. auto: when "
+               "several models are compared and each half is longer than three times the time after which motion is new",
+       .allowed = one_of({"auto", "yes", "no"}),
+       .initial = "auto",
+       .ren2016 = "no",
+       .use =
+           [](Arguments& a, const Value& v) {
+             using When = CompareOptions::HoldOutWhen;
+             a.compare.hold_out = v.text() == "yes" ? When::always : v.text() == "no" ? When::never : When::worth_it;
+           }},
+      {.name = "searches",
+       .in = kFits,
+       .help = "how often each half is searched, with other seeds: the mean score decides, and the scatter is in its interval",
+       .allowed = whole(1, kMostSearches),
+       .initial = "1",
+       .group = kSearch,
+       .use = [](Arguments& a, const Value& v) { a.compare.searches = v.whole<int>(); }},
       {.name = "posterior",
        .in = kFits,
        .help = "beside the best parameters, their posterior distribution: 95 % intervals, which parameters the recording determines at "
                "all, and a sample of it",
        .allowed = on_or_off(),
        .use = [](Arguments& a, const Value& v) { a.compare.posterior = v.on(); }},
+      {.name = "likelihood",
+       .in = kFits,
+       .help = "beside the best parameters, those of maximum likelihood with 95 % intervals, for models whose motion is linear (langevin)",
+       .allowed = on_or_off(),
+       .use = [](Arguments& a, const Value& v) { a.compare.likelihood = v.on(); }},
       {.name = "obs-noise",
        .in = kComparisons,
        .help = "localisation error put on simulated positions: estimate (default), or a value in length units",

@@ -7,10 +7,13 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "libswarm/linear_motion.h"
 
 namespace swarmfit {
 
@@ -96,6 +99,8 @@ struct ModelSpec {
   std::vector<std::string> kinds = {};    // what State::kind means to it, such as "sheep", "dog"; empty: all agents are alike to it
   std::vector<Parameter> parameters = {};
   std::function<std::unique_ptr<Model>(const Setup&)> make = {};  // called by make_model and nobody else
+  // Its motion, where that is linear under these options and parameters (a value per row); null: never.
+  std::optional<LinearMotion> (*linear)(const Options&, std::span<const double> parameters) = nullptr;
 
   // Every option with its value; throws InputError naming the legal names or values.
   Options resolve(const Options& given) const;

@@ -35,7 +35,8 @@ enum class Stream : std::uint32_t {
   noise_path = 21,    // what noise does to a path within a step, beside what it does to the velocity at its end
   noise_path_2 = 22,  // and a second number of that kind
   dither = 23,        // positions spread over the grid that a file is rounded to
-  order = 24          // who moves when, where agents move one after the other
+  order = 24,         // who moves when, where agents move one after the other
+  hold_out = 25       // seeds of the searches of halves of a recording
 };
 
 namespace philox {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "fit/model_fit/race.h"
@@ -73,20 +74,23 @@ bool long_enough(const std::vector<Law>& laws, int pooled) {
   });
 }
 
-// Raw energies of a model's own recordings, without those that blew up.
-std::vector<Energies> own_energies(const Law& law, const Target& target, int pooled) {
+// Raw energies of a model's own recordings; nothing for those that blew up.
+using Own = std::vector<std::optional<Energies>>;
+
+Own own_energies(const Law& law, const Target& target, int pooled) {
   const Against model(law, target, pooled);
-  std::vector<Energies> out;
+  Own out(law.size());
   for (std::size_t k = 0; k < law.size(); ++k)
-    if (!law[k].failed) out.push_back(model(law[k], k));
+    if (!law[k].failed) out[k] = model(law[k], k);
   return out;
 }
 
-Energies mean(const std::vector<Energies>& all, std::size_t columns) {
+Energies mean(const Own& all, std::size_t columns) {
   Energies out(columns, NAN);
   for (std::size_t j = 0; !all.empty() && j < columns; ++j) {
     Moments moments;
-    for (const Energies& e : all) moments.add(e[j]);
+    for (const auto& e : all)
+      if (e) moments.add((*e)[j]);
     if (moments.count > 0) out[j] = moments.mean;
   }
   return out;
@@ -94,25 +98,58 @@ Energies mean(const std::vector<Energies>& all, std::size_t columns) {
 
 // Energies of a model without what does not count against it: where its own recordings scatter by less than what no ranking sees, it may
 // lie farther away than they do by the rest of that.
-Energies seen(Energies raw, const std::vector<Energies>& own, double worst) {
+Energies seen(Energies raw, const Own& own, double worst) {
   for (std::size_t j = 0; j < raw.size(); ++j) {
     Moments moments;
-    for (const Energies& e : own) moments.add(e[j]);
+    for (const auto& e : own)
+      if (e) moments.add((*e)[j]);
     const double unseen = std::max(0.0, kUnseen * worst - moments.sd());
     if (raw[j] > moments.mean) raw[j] = std::max(moments.mean, raw[j] - unseen);
   }
   return raw;
 }
 
-// missed: by how much a search misses the best parameters of each of its own recordings.
-double goodness(const Scored& fit, const std::vector<Energies>& own, const std::vector<double>& missed, const Weighting& weighting,
-                double worst) {
-  if (own.empty()) return NAN;
-  const double observed = cost_of(seen(fit.raw, own, worst), weighting);
-  if (!std::isfinite(observed)) return NAN;
-  std::ptrdiff_t beyond = 0;
-  for (std::size_t k = 0; k < own.size(); ++k) beyond += cost_of(own[k], weighting) + missed[k] >= observed;
-  return static_cast<double>(1 + beyond) / static_cast<double>(1 + own.size());
+// How far the recordings lie from a model, and its own from it, in the mean over the trials.
+struct Distances {
+  double observed = 0;
+  std::vector<double> own;  // NaN: blew up
+};
+
+// A search misses the best parameters of each of a model's own recordings, too.
+Distances distances(std::span<const Trial> trials, std::size_t model, int pooled) {
+  Distances out;
+  out.own.resize(trials.front().laws.of[model].size());
+  for (const Trial& trial : trials) {
+    const auto share = 1 / static_cast<double>(trials.size());
+    const auto own = own_energies(trial.laws.of[model], *trial.target, pooled);
+    out.observed += share * cost_of(seen(trial.models[model].raw, own, trial.target->worst()), trial.weighting);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const double missed =
+          std::abs(trial.laws.scatter[model] * trial.laws.root.normal2(Stream::law, k, static_cast<std::uint32_t>(model))[0]);
+      out.own[k] += share * (own[k] ? cost_of(*own[k], trial.weighting) + missed : NAN);
+    }
+  }
+  return out;
+}
+
+double goodness(const Distances& of) {
+  const auto made = std::count_if(of.own.begin(), of.own.end(), [](double d) { return !std::isnan(d); });
+  if (made == 0 || !std::isfinite(of.observed)) return NAN;
+  const auto beyond = std::count_if(of.own.begin(), of.own.end(), [&](double d) { return d >= of.observed; });
+  return static_cast<double>(1 + beyond) / static_cast<double>(1 + made);
+}
+
+// Of the mean over the trials.
+ScoreDraws mean_draws(std::span<const Trial> trials, int pooled) {
+  ScoreDraws out = score_draws(trials.front(), pooled);
+  for (const Trial& trial : trials.subspan(1)) {
+    const ScoreDraws other = score_draws(trial, pooled);
+    out.scores += other.scores;
+    out.draws += other.draws;
+  }
+  out.scores /= static_cast<double>(trials.size());
+  out.draws /= static_cast<double>(trials.size());
+  return out;
 }
 
 // How far a law's recordings scatter is that of the truth's only to a fifth: on the logarithm, over planted pairs
@@ -155,19 +192,19 @@ std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& sel
   return variance;
 }
 
-ScoreDraws score_draws(const std::vector<Scored>& models, const Laws& laws, const Target& target, const Weighting& weighting, int pooled) {
-  const Law& recordings = laws.recordings;
-  const auto rows = static_cast<Eigen::Index>(recordings.size()), columns = static_cast<Eigen::Index>(models.size());
+ScoreDraws score_draws(const Trial& trial, int pooled) {
+  const Law& recordings = trial.laws.recordings;
+  const auto rows = static_cast<Eigen::Index>(recordings.size()), columns = static_cast<Eigen::Index>(trial.models.size());
   ScoreDraws out{Eigen::VectorXd(columns), Eigen::MatrixXd::Constant(rows, columns, NAN)};
   for (Eigen::Index m = 0; m < columns; ++m) {
     const auto model = static_cast<std::size_t>(m);
-    const Against law(laws.of[model], target, pooled);
-    out.scores(m) = models[model].score;
+    const Against law(trial.laws.of[model], *trial.target, pooled);
+    out.scores(m) = trial.models[model].score;
     for (Eigen::Index b = 0; b < rows; ++b) {
       const auto k = static_cast<std::size_t>(b);
       if (recordings[k].failed) continue;
-      const double missed = laws.scatter[model] * laws.root.normal2(Stream::law, k, static_cast<std::uint32_t>(m))[0];
-      out.draws(b, m) = missed - cost_of(law(recordings[k], k), weighting);
+      const double missed = trial.laws.scatter[model] * trial.laws.root.normal2(Stream::law, k, static_cast<std::uint32_t>(m))[0];
+      out.draws(b, m) = missed - cost_of(law(recordings[k], k), trial.weighting);
     }
   }
   return out;
@@ -191,30 +228,27 @@ Band band_of(const Law& law, const Target& target) {
   return out;
 }
 
-std::vector<Certainty> certainties(const std::vector<Scored>& models, const Laws& laws, const Target& target, const Weighting& weighting,
-                                   int pooled) {
-  std::vector<Certainty> out(models.size());
-  for (Certainty& c : out) c.own = Energies(target.columns().size(), NAN);
-  if (!long_enough(laws.of, pooled)) return out;
-  const ScoreDraws all = score_draws(models, laws, target, weighting, pooled);
+std::vector<Certainty> certainties(std::span<const Trial> trials, int pooled) {
+  std::vector<Certainty> out(trials.front().models.size());
+  for (Certainty& c : out) c.own = Energies(trials.front().target->columns().size(), NAN);
+  for (const Trial& trial : trials)
+    if (!long_enough(trial.laws.of, pooled)) return out;
+  const ScoreDraws all = mean_draws(trials, pooled);
   const auto p = confidence_set_p(all);
   const auto groups = confidence_groups(all, kAlpha);
-  for (std::size_t m = 0; m < models.size(); ++m) {
+  std::vector<double> fits;
+  for (std::size_t m = 0; m < out.size(); ++m) {
     Certainty& c = out[m];
-    const auto own = own_energies(laws.of[m], target, pooled);
-    c.own = mean(own, target.columns().size());
-    std::vector<double> missed;
-    for (std::size_t k = 0; k < own.size(); ++k)
-      missed.push_back(std::abs(laws.scatter[m] * laws.root.normal2(Stream::law, k, static_cast<std::uint32_t>(m))[0]));
-    c.goodness_p = goodness(models[m], own, missed, weighting, target.worst());
+    if (trials.size() == 1)
+      c.own = mean(own_energies(trials[0].laws.of[m], *trials[0].target, pooled), trials[0].target->columns().size());
+    c.goodness_p = goodness(distances(trials, m, pooled));
+    fits.push_back(c.goodness_p);
     c.set_p = p[m];
     c.group = groups[m];
     const auto column = static_cast<Eigen::Index>(m);
     std::tie(c.lower, c.upper) = interval(all.scores(column), all.draws.col(column));
     std::tie(c.lead_lower, c.lead_upper) = interval(all.scores(0) - all.scores(column), all.draws.col(0) - all.draws.col(column));
   }
-  std::vector<double> fits;
-  for (const Certainty& c : out) fits.push_back(c.goodness_p);
   const auto adjusted = adjusted_p(fits);
   for (std::size_t m = 0; m < out.size(); ++m) out[m].goodness_q = adjusted[m];
   return out;

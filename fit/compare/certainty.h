@@ -3,6 +3,9 @@
 // bootstrap without refitting (Efron and Tibshirani 1993, section 6.5; Davison and Hinkley 1997, section 4.2).
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "fit/experiment/objective.h"
 #include "fit/results/comparison.h"
 #include "libeval/confidence_set.h"
@@ -33,26 +36,34 @@ struct Laws {
   Rng root;  // of the errors of the searches
 };
 
+// One recording on which models are scored; they stand in the same order throughout.
+struct Trial {
+  std::vector<Scored> models;
+  Laws laws;
+  const Target* target;
+  Weighting weighting;
+};
+
 // Scores of all models, and those they get on each of the recordings: every model is represented by `pooled` other runs of its law, and has
 // missed its best parameters by a normal error of its scatter. So the draws scatter as the recording, the simulations and the searches do.
 // NaN where the recording or a score is undefined.
-ScoreDraws score_draws(const std::vector<Scored>& models, const Laws& laws, const Target& target, const Weighting& weighting, int pooled);
+ScoreDraws score_draws(const Trial& trial, int pooled);
 
 // Where single recordings of a law lie, bin by bin; empty with fewer than 39, of which the outermost would be the ends.
 Band band_of(const Law& law, const Target& target);
 
-// How sure is each model? In order of rank. With fewer than `pooled` + 2 recordings per law, everything stays undefined.
+// How sure is each model? Leads are those of the first. Of several trials with the same models, such as two halves of a recording, it is
+// asked for the mean score. With fewer than `pooled` + 2 recordings per law, everything stays undefined.
 //
 // - goodness_p: of the recordings of its own law, the share that is as far from the model as the real one is, in the weighted energy; at
-//   least 1/(1 + recordings). The model was fitted to the real one, which lies nearer for that, but the search misses the best
+//   least 1/(1 + recordings). A model that was fitted to the real one lies nearer for that, but the search misses the best
 //   parameters by some of its scatter, and would those of its own recordings; where it misses by more, p is small even for a model that
 //   made the recording (docs/certainty.md). Recordings of a model without chance hardly differ: where they scatter by less than kUnseen of
 //   the worst energy, the rest of that does not count against the model.
 // - goodness_q: the same, adjusted for as many tests as there are models.
 // - group, set_p: by the model confidence set at 95 %.
 // - lower, upper, lead_lower, lead_upper: basic bootstrap intervals, an eighth wider since the law is fitted.
-// - own: mean over its own recordings.
-std::vector<Certainty> certainties(const std::vector<Scored>& models, const Laws& laws, const Target& target, const Weighting& weighting,
-                                   int pooled);
+// - own: mean over its own recordings; of one trial only, since others may have other columns.
+std::vector<Certainty> certainties(std::span<const Trial> trials, int pooled);
 
 }  // namespace swarmfit

@@ -44,13 +44,16 @@ CompareOptions with_common_dynamics(const Tracks& recording, const CompareOption
                                    options.models.front().name, model.name));
   const Scales scales = make_conditions(recording, options.conditions).scales;
   CompareOptions common = options;
+  common.common_dynamics = false;
   common.common = shared_parameters(options.models, scales, options.requests);
   if (common.common.empty()) throw InputError("`common`: the models share no parameter that is searched; expected at least one");
   for (const ModelChoice& model : options.models)
     if (searched_parameters(model, scales, options.requests).size() == common.common.size())
       throw InputError(
           fmt::format("`common`: {} has no parameter of its own to be told apart by; expected one that is searched", model.name));
-  CompareOptions alone = options;
+  CompareOptions alone = common;
+  alone.hold_out = CompareOptions::HoldOutWhen::never;
+  alone.common.clear();
   alone.models.resize(1);
   const Comparison fit = compare(recording, alone, on_progress, runtime);
   for (const ParameterResult& p : fit.models.front().parameters) {

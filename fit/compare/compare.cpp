@@ -5,7 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "fit/compare/calibration.h"
 #include "fit/compare/certainty.h"
+#include "fit/compare/common_dynamics.h"
 #include "fit/compare/facts.h"
 #include "fit/compare/hold_out.h"
 #include "fit/compare/judge.h"
@@ -15,101 +17,12 @@
 #include "fit/compare/skill_warnings.h"
 #include "fit/compare/without_one.h"
 #include "fit/experiment/film.h"
-#include "fit/model_fit/calibration.h"
 #include "fit/model_fit/model_fit_of.h"
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
 namespace {
-
-Eigen::MatrixXd energy_table(const std::vector<ModelSearch>& searches) {
-  const auto columns = static_cast<Index>(searches.front().selected().outcome.raw.size());
-  Eigen::MatrixXd table(static_cast<Index>(searches.size()), columns);
-  for (std::size_t m = 0; m < searches.size(); ++m)
-    table.row(static_cast<Index>(m)) = Eigen::Map<const Eigen::RowVectorXd>(searches[m].selected().outcome.raw.data(), columns);
-  return table;
-}
-
-PerColumn<double> per_column(const std::vector<double>& values) {
-  PerColumn<double> out(values.size());
-  std::copy(values.begin(), values.end(), out.begin());
-  return out;
-}
-
-// Step 3 and 4 of Par-Est: weights and p1, p2 from the energy table; how far did the weights move?
-WeightStep weight_step(int pass, const Weighting& searched, const Weighting& now, const Weighting& before) {
-  double change = 0;
-  for (std::size_t j = 0; j < now.weights.size(); ++j) change = std::max(change, std::abs(now.weights[j] - before.weights[j]));
-  return {pass, per_column(searched.weights), per_column(now.weights), per_column(now.p1), per_column(now.p2), change};
-}
-
-// What the next pass minimises: the last table's p1 and p2, and the mean of the weights of all passes and those before the first, which
-// `searched` holds but for the last. Under the last weights alone all models fit what told them apart, become alike in it, neglect it in
-// the next pass, and so on in turns.
-Weighting mean_weighting(const Weighting& searched, Weighting last, int pass) {
-  for (std::size_t j = 0; j < last.weights.size(); ++j)
-    last.weights[j] = searched.weights[j] + (last.weights[j] - searched.weights[j]) / (pass + 1);
-  return last;
-}
-
-// The comparison in progress: one search per model, and the weights they are judged by.
-class Calibration {
- public:
-  Calibration(const CompareOptions& options, const Conditions& conditions, const Target& target, const std::vector<bool>& used,
-              std::vector<HistoryRow>& history, const OnCompareProgress& on_progress, const Runtime& runtime, const FinalView& view)
-      : options_(options), target_(target), used_(used), on_progress_(on_progress) {
-    for (std::size_t m = 0; m < options.models.size(); ++m)
-      searches_.emplace_back(m, options.models[m], conditions, target, options, history, runtime, view);
-  }
-
-  // Par-Est, steps 1 to 5. What the models are ranked by.
-  Ranking run(const PerColumn<double>& resolution) {
-    Ranking out;
-    out.mean_weights = options_.mean_weights;
-    Weighting searched = initial_weighting(used_, target_.worst());
-    weighting_ = searched;
-    const int passes = searches_.size() < 2 ? 1 : options_.budget.passes;
-    for (int pass = 1; pass <= passes && !out.weights_converged; ++pass) {
-      if (pass > 1 && !options_.genetic_only) exchange();
-      for (std::size_t m = 0; m < searches_.size(); ++m)
-        searches_[m].pass(pass, searched, [&](std::int64_t simulations, double best) { tell(m, pass, passes, simulations, best); });
-      if (searches_.size() < 2) break;
-      const Weighting next = entropy_weights(energy_table(searches_), used_, {resolution.begin(), resolution.end()});
-      out.weight_history.push_back(weight_step(pass, searched, next, weighting_));
-      weighting_ = next;
-      out.weights_converged = out.weight_history.back().largest_change < options_.weight_tolerance;
-      searched = options_.mean_weights ? mean_weighting(searched, weighting_, pass) : weighting_;
-    }
-    out.weights = per_column(weighting_.weights);
-    out.p1 = per_column(weighting_.p1);
-    out.p2 = per_column(weighting_.p2);
-    return out;
-  }
-
-  const std::vector<ModelSearch>& searches() const { return searches_; }
-  const Weighting& weighting() const { return weighting_; }
-
- private:
-  // Settings of one model learn from each other.
-  void exchange() {
-    for (auto& search : searches_)
-      for (const auto& other : searches_)
-        if (&search != &other && search.space().model().spec == other.space().model().spec) search.suggest(other);
-  }
-
-  void tell(std::size_t m, int pass, int passes, std::int64_t simulations, double best) const {
-    if (on_progress_)
-      on_progress_({options_.models[m].name, m, searches_.size(), pass, passes, simulations, searches_[m].planned(pass), best});
-  }
-
-  const CompareOptions& options_;
-  const Target& target_;
-  const std::vector<bool>& used_;
-  const OnCompareProgress& on_progress_;
-  std::vector<ModelSearch> searches_;
-  Weighting weighting_;
-};
 
 // What is seen of a final replicate beside its score; of the first one also its scales and the film.
 struct View {
@@ -154,23 +67,70 @@ std::vector<std::string> searched_names(const SearchSpace& space) {
   return out;
 }
 
-// What a ranking says of its models, and of itself, once they are ranked.
-void add_standings(Comparison& result, const Laws& laws, const Target& target, const Weighting& weighting, int pooled) {
-  std::vector<ModelFit>& models = result.models;
+// How sure the places of models are that stand in order, and what else is known of them once they do.
+void add_standings(std::vector<ModelFit>& models, const Trial& trial, const PerColumn<double>& weights, int pooled) {
   std::vector<Energies> energies;
   for (const ModelFit& fit : models) energies.push_back(fit.standing.energies);
-  const auto sure = certainties(scored(models), laws, target, weighting, pooled);
-  const auto sensitive = sensitivities(energies, result.ranking.weights);
+  const auto sure = certainties({&trial, 1}, pooled);
+  const auto sensitive = sensitivities(energies, weights);
   for (std::size_t k = 0; k < models.size(); ++k) {
-    models[k].standing.certainty = sure[k];
-    models[k].standing.sensitivity = sensitive[k];
+    Standing& s = models[k].standing;
+    s.certainty = sure[k];
+    s.in_sample.group = sure[k].group;
+    s.in_sample.lower = sure[k].lower;
+    s.in_sample.upper = sure[k].upper;
+    s.sensitivity = sensitive[k];
   }
+}
+
+// The same of the halves that were not fitted: that is what decides.
+void add_held_out(std::vector<ModelFit>& models, HoldOut& held, const Order& order, int pooled) {
+  std::vector<Trial> trials;
+  for (Trial& trial : held.trials) trials.push_back(in_order(std::move(trial), order));
+  const auto sure = certainties(trials, pooled);
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    Standing& s = models[k].standing;
+    s.held_out = std::move(held.models[order[k]]);
+    s.held_out.goodness_p = sure[k].goodness_p;
+    Certainty& c = s.certainty;
+    c.group = sure[k].group;
+    c.set_p = sure[k].set_p;
+    std::tie(c.lower, c.upper, c.lead_lower, c.lead_upper) =
+        std::tie(sure[k].lower, sure[k].upper, sure[k].lead_lower, sure[k].lead_upper);
+  }
+}
+
+// Between which values the parameters of the fits to halves lie.
+void add_ranges(ModelFit& fit, const ModelSpec& spec, const std::vector<std::vector<double>>& fits) {
+  for (ParameterResult& p : fit.parameters) {
+    if (!p.fitted) continue;
+    const auto row = static_cast<std::size_t>(spec.find(p.name));
+    const auto less = [row](const auto& a, const auto& b) { return a[row] < b[row]; };
+    const auto [low, high] = std::minmax_element(fits.begin(), fits.end(), less);
+    p.halves_lower = (*low)[row];
+    p.halves_upper = (*high)[row];
+  }
+}
+
+void describe_ranking(Comparison& result, const Trial& trial) {
   Ranking& ranking = result.ranking;
   ranking.lags = lag_facts(result.recording, ranking.weights);
-  ranking.laws = static_cast<int>(laws.recordings.size());
-  ranking.band = band_of(laws.recordings, target);
-  ranking.without = without_each(models, result.recording);
-  ranking.walk_suffices = walk_suffices(result.recording.skill, models);
+  ranking.laws = static_cast<int>(trial.laws.recordings.size());
+  ranking.band = band_of(trial.laws.recordings, *trial.target);
+  ranking.without = without_each(result.models, result.recording);
+  ranking.walk_suffices = walk_suffices(result.recording.skill, result.models);
+}
+
+void check_likelihood(const CompareOptions& options) {
+  const auto has_one = [](const ModelChoice& m) { return m.spec->linear != nullptr; };
+  if (options.likelihood && std::none_of(options.models.begin(), options.models.end(), has_one))
+    throw InputError("`likelihood`: none of these models has one in closed form; expected langevin among them");
+}
+
+bool holds_out(const Tracks& recording, const CompareOptions& options) {
+  using When = CompareOptions::HoldOutWhen;
+  return options.hold_out == When::always ||
+         (options.hold_out == When::worth_it && options.models.size() > 1 && worth_halving(recording));
 }
 
 // Columns of the score that are not mostly localisation error: on those the skill rests.
@@ -182,17 +142,17 @@ PerColumn<bool> clear_columns(const ObservationFacts& o) {
 
 }  // namespace
 
-Comparison compare(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress, const Runtime& runtime) {
-  check_requests(options.requests, options.models);
-  const Halves parts = options.hold_out ? halves(recording) : Halves{};
-  Conditions conditions = make_conditions(options.hold_out ? parts.fitted : recording, options.conditions);
+Comparison compare(const Tracks& recording, const CompareOptions& wanted, const OnCompareProgress& on_progress, const Runtime& runtime) {
+  check_requests(wanted.requests, wanted.models);
+  check_likelihood(wanted);
+  const CompareOptions options = wanted.common_dynamics ? with_common_dynamics(recording, wanted, on_progress, runtime) : wanted;
+  Conditions conditions = make_conditions(recording, options.conditions);
   conditions.metrics.lags = lags_for(conditions, options);
   const Target target(recorded_samples(conditions.recording, conditions.metrics), options.binning);
 
   Comparison result;
   result.run = run_record(options);
   result.recording = recording_facts(recording, conditions, target, options);
-  if (options.hold_out) result.recording.hold_out = facts_of(parts);
   const ObservationFacts& observation = result.recording.observation;
   const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);
   result.film = cut(conditions.recording, span.first, span.last);
@@ -209,27 +169,37 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   result.ranking = calibration.run(result.recording.resolution);
   const Weighting& weighting = calibration.weighting();
 
-  Laws laws{{}, {}, {}, {options.seed}};
+  std::optional<HoldOut> held;
+  if (holds_out(recording, options)) held = hold_out(recording, wanted, on_progress, runtime);
+  Trial trial{{}, {{}, {}, {}, {options.seed}}, &target, weighting};
   std::vector<std::vector<Energies>> selections;
   for (std::size_t m = 0; m < options.models.size(); ++m) {
     const ModelSearch& search = calibration.searches()[m];
     ModelFit fit = model_fit_of(search);
     fit.learns = options.models[m].spec->needs_reference;
     fit.standing = standing_of(fit.runs, weighting);
+    trial.models.push_back({fit.standing.score, fit.runs.raw_energies});
+    if (held) fit.standing.score = held->scores[m];
+    if (held) add_ranges(fit, *options.models[m].spec, held->values[m]);
     add_likeness(fit, search.selected().views, *judge, conditions.recording);
+    if (options.likelihood) fill_likelihood(fit, search, Rng{options.seed}.derive(Stream::probe, m));
     if (options.posterior) fill_posterior(fit, search, Rng{options.seed}.derive(Stream::posterior, m));
-    laws.of.push_back(law_of(search.objective(), search.space().parameters(search.selected().x), {options.seed}, options.laws));
+    trial.laws.of.push_back(law_of(search.objective(), search.space().parameters(search.selected().x), {options.seed}, options.laws));
     selections.push_back(search.selections());
     result.run.searched.push_back(searched_names(search.space()));
     result.models.push_back(std::move(fit));
   }
-  laws.scatter = search_scatter(selections, weighting);
-  rank(result.models, laws);
-  add_standings(result, laws, target, weighting, options.budget.final_replicates);
-  if (options.hold_out) {
-    const auto there = held_out(result.models, parts, options, conditions, weighting, runtime);
-    for (std::size_t k = 0; k < there.size(); ++k) result.models[k].standing.held_out = there[k];
+  trial.laws.scatter = search_scatter(selections, weighting);
+  const Order order = order_by_score(result.models);
+  result.models = in_order(std::move(result.models), order);
+  number(result.models);
+  trial = in_order(std::move(trial), order);
+  add_standings(result.models, trial, result.ranking.weights, options.budget.final_replicates);
+  if (held) {
+    result.recording.hold_out = held->facts;
+    add_held_out(result.models, *held, order, options.budget.final_replicates);
   }
+  describe_ranking(result, trial);
   for (const auto& warnings : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result), warnings_of_learning(result)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   return result;

@@ -21,10 +21,15 @@ struct CompareOptions : SearchPlan {
   double error_limit = 0.5;          // a column with a larger share of error counts only beyond what as much error again would change
   bool resolution = true;            // p2 is at least what the recording can tell (libeval/score.h); false: the range, as published
   bool mean_weights = true;          // later passes search under the mean of all passes' weights; false: under the last, as published
-  std::vector<std::string> common;   // parameters that were fitted once for all models (fit/compare/common_dynamics.h); only reported
+  std::vector<std::string> common;   // parameters that were fitted once for all models; only reported
   int laws = 99;                     // recordings that each fitted model makes, to tell how sure its place is; 0: none
-  bool hold_out = false;             // fit the first half of the recording, and score on the second, too
+  // Fit each half of the recording, too, and rank by the scores on the other (fit/compare/hold_out.h).
+  enum class HoldOutWhen { never, worth_it, always };  // worth_it: if halves are long enough, and there is a ranking
+  HoldOutWhen hold_out = HoldOutWhen::never;
+  int searches = 1;                  // of each half: their mean is ranked by, their scatter is in the intervals
+  bool common_dynamics = false;      // what the models have in common is fitted once, with the first (fit/compare/common_dynamics.h)
   bool posterior = false;            // the posterior of every model's parameters, too
+  bool likelihood = false;           // parameters of maximum likelihood, of models that have one
   double weight_tolerance = 0.005;   // the calibration has settled when no weight changes by more
 };
 
@@ -34,6 +39,7 @@ struct CompareProgress {
   int pass, passes;
   std::int64_t simulations, planned;  // of this model in this pass, those saved by giving up included; the plan may be cut short
   double best;                        // score with the pass's weights
+  std::string part{};                 // of the recording that is searched; empty: the whole
 };
 // Called after every generation, in the thread that called compare().
 using OnCompareProgress = std::function<void(const CompareProgress&)>;

@@ -105,7 +105,8 @@ bool is_part(const ModelFit& part, const ModelFit& whole) {
 void warn_of_parts(const ModelFit& whole, const Comparison& r, std::vector<std::string>& out) {
   for (const ModelFit& part : r.models)
     if (is_part(part, whole) &&
-        part.standing.score - whole.standing.score > kStandardErrors * std::hypot(part.standing.score_se, whole.standing.score_se))
+        part.standing.in_sample.score - whole.standing.in_sample.score >
+                                       kStandardErrors * std::hypot(part.standing.in_sample.score_se, whole.standing.in_sample.score_se))
       warn(out, "{} is worse than its own part {}, so its search was not finished; a larger --budget may move its rank.", whole.model,
            part.model);
 }

@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "fit/compare/calibration.h"
+#include "fit/compare/common_dynamics.h"
+#include "fit/compare/facts.h"
 #include "fit/model_fit/race.h"
 #include "libeval/nearness.h"
 #include "libtrack/cut.h"
@@ -14,68 +18,226 @@
 namespace swarmfit {
 namespace {
 
-constexpr std::int64_t kFewest = 32;                           // frames of a half
+constexpr std::int64_t kFewest = 32;  // frames of a half
+constexpr std::int64_t kMemories = 3;
 constexpr std::int64_t kShortestPath = 2, kLongestPath = 100;  // frames
+constexpr std::size_t kWays = 2;
+
+// [first, first + warm_up) and as many frames of a half.
+struct Layout {
+  std::int64_t first, warm_up, half;
+};
+
+Layout layout(const Tracks& recording) {
+  const std::int64_t first = recording.frames().front().number, frames = recording.frames().back().number + 1 - first;
+  const double memory = std::max(natural_scales(recording).time(), correlation_time(recording));
+  // A group that hardly moves has no end of memory: then there are no halves.
+  const auto warm_up = static_cast<std::int64_t>(std::ceil(std::min(memory / recording.dt(), static_cast<double>(frames))));
+  return {first, warm_up, (frames - 2 * warm_up) / 2};
+}
 
 // Paths are as long as motion takes to become new, if there are unbroken ones so long, else shorter.
-std::int64_t path_frames(const Halves& halves) {
-  auto frames = static_cast<std::int64_t>(std::lround(natural_scales(halves.fitted).time() / halves.fitted.dt()));
+std::int64_t path_frames(const Tracks& fitted, const Tracks& held) {
+  auto frames = static_cast<std::int64_t>(std::lround(natural_scales(fitted).time() / fitted.dt()));
   frames = std::clamp<std::int64_t>(frames, kShortestPath, kLongestPath);
-  while (frames > kShortestPath && !std::isfinite(distance_to_nearest(halves.held_out, halves.fitted, frames))) frames /= 2;
+  while (frames > kShortestPath && !std::isfinite(distance_to_nearest(held, fitted, frames))) frames /= 2;
   return std::max(frames, kShortestPath);
 }
 
-const ModelChoice& choice_of(const CompareOptions& options, const std::string& name) {
-  return *std::find_if(options.models.begin(), options.models.end(), [&](const ModelChoice& m) { return m.name == name; });
+HeldOutWay way_of(const Half& fit, const Half& held) {
+  const auto first = [](const Half& half) { return half.tracks.frames().front().number + half.warm_up; };
+  const auto last = [](const Half& half) { return half.tracks.frames().back().number; };
+  return {first(fit), last(fit), first(held), last(held), {}, {}};
+}
+
+// What one search of a half left.
+struct Searched {
+  std::vector<std::vector<double>> values;  // per model
+  std::vector<int> steps;
+  std::vector<double> scatter;
+  std::vector<std::int64_t> simulations;
+  Weighting weighting;
+};
+
+// One half fitted, the other scored.
+class Way {
+ public:
+  Way(const Half& fit, const Half& held, const CompareOptions& options, const OnCompareProgress& on_progress, const Runtime& runtime)
+      : options_(options),
+        on_progress_(on_progress),
+        runtime_(runtime),
+        half_(fit),
+        fitted_(make_conditions(fit.tracks, options.conditions, fit.warm_up)) {
+    fitted_.metrics.lags = lags_for(fitted_, options);
+    target_ = std::make_unique<Target>(recorded_samples(fitted_.recording, fitted_.metrics), options.binning);
+    held_ = held_out_conditions(held.tracks, fitted_, held.warm_up);
+    judged_ = std::make_unique<Target>(recorded_samples(held_.recording, held_.metrics), options.binning);
+  }
+
+  Searched search(std::uint64_t seed) const {
+    CompareOptions options = options_;
+    options.seed = seed;
+    if (options.common_dynamics) options = with_common_dynamics(half_.tracks, options, on_progress_, runtime_);
+    const ObservationFacts observation = observation_facts(fitted_, *target_, options);
+    const std::vector<bool> used(observation.used.begin(), observation.used.end());
+    std::vector<HistoryRow> history;
+    Calibration calibration(options, fitted_, *target_, used, history, on_progress_, runtime_);
+    calibration.run(resolution(fitted_, *target_, options, observation.drowned));
+    Searched out;
+    std::vector<std::vector<Energies>> selections;
+    for (const ModelSearch& s : calibration.searches()) {
+      out.values.push_back(s.space().parameters(s.selected().x));
+      out.steps.push_back(s.objective().ensemble().steps());
+      out.simulations.push_back(s.simulations());
+      selections.push_back(s.selections());
+    }
+    out.weighting = calibration.weighting();
+    out.scatter = search_scatter(selections, out.weighting);
+    return out;
+  }
+
+  Scored score(const Searched& found, std::size_t m, std::uint64_t seed) const {
+    const Objective objective = objective_of(found, m);
+    const auto seeds = replicate_seeds({seed}, Stream::final_seeds, options_.budget.final_replicates);
+    const Energies raw = objective.energies(found.values[m], seeds).raw;
+    return {-cost_of(raw, found.weighting), raw};
+  }
+
+  Law law(const Searched& found, std::size_t m, std::uint64_t seed) const {
+    return law_of(objective_of(found, m), found.values[m], {seed}, options_.laws);
+  }
+
+  // Of all models: how near they lie to what they were fitted to.
+  std::vector<Nearness> nearness(const Searched& found, std::uint64_t seed) const {
+    const std::int64_t frames = path_frames(fitted_.recording, held_.recording);
+    const double recorded = distance_to_nearest(held_.recording, fitted_.recording, frames);
+    const Rng first = replicate_seeds({seed}, Stream::final_seeds, 1).front();
+    std::vector<Nearness> out;
+    for (std::size_t m = 0; m < options_.models.size(); ++m) {
+      Ensemble ensemble(options_.models[m], held_, runtime_);
+      ensemble.use_steps(found.steps[m]);
+      const Tracks run = ensemble.run({found.values[m], first}).seen;
+      out.push_back({distance_to_nearest(run, fitted_.recording, frames), recorded, frames});
+    }
+    return out;
+  }
+
+  const Target& target() const { return *target_; }
+  std::unique_ptr<Target> take_judged() { return std::move(judged_); }
+
+ private:
+  Objective objective_of(const Searched& found, std::size_t m) const {
+    Objective out(options_.models[m], held_, *judged_, runtime_);
+    out.use_steps(found.steps[m]);
+    return out;
+  }
+
+  const CompareOptions& options_;
+  const OnCompareProgress& on_progress_;
+  const Runtime& runtime_;
+  const Half& half_;
+  Conditions fitted_, held_;
+  std::unique_ptr<Target> target_, judged_;  // of the fitted half, of the other
+};
+
+// Of the k-th search of a way: other than those of the whole recording and of all other searches.
+std::uint64_t seed_of(std::uint64_t seed, std::size_t way, int search) {
+  return Rng{seed}.derive(Stream::hold_out, way + kWays * static_cast<std::size_t>(search)).seed;
+}
+
+// The score of every search, [search][model], becomes the mean and the scatter of that.
+struct Repeats {
+  std::vector<std::vector<Scored>> scores;
+
+  double mean(std::size_t m) const {
+    Moments moments;
+    for (const auto& one : scores) moments.add(one[m].score);
+    return moments.count > 0 ? moments.mean : NAN;
+  }
+  double variance(std::size_t m) const {
+    Moments moments;
+    for (const auto& one : scores) moments.add(one[m].score);
+    return moments.count > 1 ? moments.sd() * moments.sd() : NAN;
+  }
+};
+
+// The mean of this and another way, for scores, laws and all else that is kept per model.
+void add_way(HoldOut& out, Way& way, std::size_t number, const CompareOptions& options) {
+  const std::size_t models = options.models.size();
+  Repeats repeats;
+  Trial trial;
+  for (int k = 0; k < options.searches; ++k) {
+    const std::uint64_t seed = seed_of(options.seed, number, k);
+    const Searched found = way.search(seed);
+    std::vector<Scored> scored;
+    for (std::size_t m = 0; m < models; ++m) {
+      scored.push_back(way.score(found, m, seed));
+      out.models[m].simulations += found.simulations[m];
+      out.values[m].push_back(found.values[m]);
+    }
+    repeats.scores.push_back(scored);
+    if (k > 0) continue;
+    trial = {scored, {{}, {}, found.scatter, {seed}}, nullptr, found.weighting};
+    for (std::size_t m = 0; m < models; ++m) trial.laws.of.push_back(way.law(found, m, seed));
+    out.facts.ways[number].columns = way.target().columns();
+    out.facts.ways[number].weights.assign(found.weighting.weights.begin(), found.weighting.weights.end());
+    const auto nearness = way.nearness(found, seed);
+    for (std::size_t m = 0; m < models; ++m) {
+      Nearness& mean = out.models[m].nearness;
+      mean = number == 0 ? nearness[m]
+                         : Nearness{(mean.simulated + nearness[m].simulated) / 2, (mean.recorded + nearness[m].recorded) / 2,
+                                    std::max(mean.frames, nearness[m].frames)};
+    }
+  }
+  for (std::size_t m = 0; m < models; ++m) {
+    const double score = repeats.mean(m), variance = repeats.variance(m);
+    trial.models[m].score = score;
+    if (std::isfinite(variance)) trial.laws.scatter[m] = std::sqrt(variance / options.searches);
+    out.models[m].scores.push_back(score);
+    out.models[m].search_sd = number == 0 ? std::sqrt(variance) : std::sqrt((std::pow(out.models[m].search_sd, 2) + variance) / 2);
+  }
+  out.targets.push_back(way.take_judged());
+  trial.target = out.targets.back().get();
+  out.trials.push_back(std::move(trial));
 }
 
 }  // namespace
 
 Halves halves(const Tracks& recording) {
-  const std::int64_t first = recording.frames().front().number, frames = recording.frames().back().number + 1 - first;
-  const double memory = std::max(natural_scales(recording).time(), correlation_time(recording));
-  const auto apart = static_cast<std::int64_t>(std::ceil(memory / recording.dt()));
-  const std::int64_t half = (frames - apart) / 2;
+  const auto [first, warm_up, half] = layout(recording);
   if (half < kFewest)
     throw InputError(
-        fmt::format("`holdout`: {} frames are too few; expected at least {}, two halves of {} with the time after which motion is new, {} "
-                    "frames, in between",
-                    frames, 2 * kFewest + apart, kFewest, apart));
-  return {cut(recording, first, first + half), cut(recording, first + frames - half, first + frames)};
+        fmt::format("`holdout`: {} frames are too few; expected at least {}, two halves of {}, each after the time in which motion becomes "
+                    "new, {} frames",
+                    recording.frames().back().number + 1 - first, 2 * (kFewest + warm_up), kFewest, warm_up));
+  const std::int64_t middle = first + warm_up + half;
+  return {{cut(recording, first, middle), warm_up}, {cut(recording, middle, middle + warm_up + half), warm_up}};
 }
 
-HoldOutFacts facts_of(const Halves& halves) {
-  const auto first = [](const Tracks& half) { return half.frames().front().number; };
-  const auto last = [](const Tracks& half) { return half.frames().back().number; };
-  return {true, first(halves.fitted), last(halves.fitted), first(halves.held_out), last(halves.held_out)};
+bool worth_halving(const Tracks& recording) {
+  const Layout of = layout(recording);
+  return of.half >= kFewest && of.half > kMemories * of.warm_up;
 }
 
-std::vector<HeldOut> held_out(const std::vector<ModelFit>& models, const Halves& halves, const CompareOptions& options,
-                              const Conditions& fitted, const Weighting& weighting, const Runtime& runtime) {
-  const Conditions conditions = held_out_conditions(halves.held_out, fitted);
-  const Target target(recorded_samples(conditions.recording, conditions.metrics), options.binning);
-  const auto seeds = replicate_seeds({options.seed}, Stream::final_seeds, options.budget.final_replicates);
-  const std::int64_t frames = path_frames(halves);
-  const double recorded = distance_to_nearest(conditions.recording, fitted.recording, frames);
-  std::vector<Nearness> nearness;
-  std::vector<Scored> there;
-  Laws laws{{}, {}, std::vector<double>(models.size(), 0), {options.seed}};
-  for (const ModelFit& fit : models) {
-    const ModelChoice& model = choice_of(options, fit.model);
-    Objective objective(model, conditions, target, runtime);
-    objective.use_steps(fit.runs.steps);
-    const auto values = parameter_values(model, fit);
-    const Energies raw = objective.energies(values, seeds).raw;
-    there.push_back({-cost_of(raw, weighting), raw});
-    laws.of.push_back(law_of(objective, values, {options.seed}, options.laws));
-    Ensemble ensemble(model, conditions, runtime);
-    ensemble.use_steps(fit.runs.steps);
-    nearness.push_back({distance_to_nearest(ensemble.run({values, seeds.front()}).seen, fitted.recording, frames), recorded, frames});
+HoldOut hold_out(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress, const Runtime& runtime) {
+  const Halves parts = halves(recording);
+  const std::array<const Half*, kWays> fit = {&parts.first, &parts.second}, held = {&parts.second, &parts.first};
+  const std::array<const char*, kWays> names = {"first half", "second half"};
+  HoldOut out;
+  out.facts.warm_up = parts.first.warm_up;
+  out.facts.searches = options.searches;
+  out.models.resize(options.models.size());
+  out.values.resize(options.models.size());
+  for (std::size_t w = 0; w < kWays; ++w) {
+    const OnCompareProgress tell = [&](CompareProgress now) {
+      now.part = names[w];
+      if (on_progress) on_progress(now);
+    };
+    out.facts.ways.push_back(way_of(*fit[w], *held[w]));
+    Way way(*fit[w], *held[w], options, tell, runtime);
+    add_way(out, way, w, options);
   }
-  laws.recordings = laws.of.front();
-  const auto certainty = certainties(there, laws, target, weighting, options.budget.final_replicates);
-  std::vector<HeldOut> out;
-  for (std::size_t m = 0; m < models.size(); ++m) out.push_back({there[m].score, there[m].raw, certainty[m], nearness[m]});
+  for (const HeldOut& m : out.models) out.scores.push_back((m.scores[0] + m.scores[1]) / 2);
   return out;
 }
 

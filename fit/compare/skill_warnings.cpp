@@ -123,17 +123,16 @@ std::vector<std::string> warnings_of_learning(const Comparison& r) {
   for (const ModelFit& m : r.models) {
     if (!m.learns) continue;
     const Nearness& n = m.standing.held_out.nearness;
-    if (!r.recording.hold_out.used)
+    if (!r.recording.hold_out.used())
       warn(
           out,
-          "{} takes its velocities from the recording that it is judged on, so its score and its place are no evidence; use --holdout, and "
-          "look at its held-out score.",
+          "{} takes its velocities from the recording that it is judged on, so its score and its place are no evidence; use --holdout yes, which "
+          "judges it on what it did not learn from.",
           m.model);
     else if (std::isfinite(n.simulated) && n.recorded > 0)
       warn(out,
-           "{} takes its velocities from the half that was fitted: only its held-out score counts. Over {} frames its paths lie {:.2f} "
-           "times "
-           "as far from the nearest path of that half as the held-out ones do{}.",
+           "{} takes its velocities from the half that is fitted. Over {} frames its paths on the other half lie {:.2f} times as far from "
+           "the nearest path that it has seen as the recorded ones do{}.",
            m.model, n.frames, n.simulated / n.recorded, n.simulated < kRepeats * n.recorded ? ": it repeats what it has seen" : "");
   }
   return out;

@@ -10,6 +10,7 @@
 #include "fit/experiment/entry.h"
 #include "libeval/energy.h"
 #include "libeval/order.h"
+#include "libtrack/cut.h"
 #include "libtrack/error.h"
 #include "libtrack/kinematics.h"
 
@@ -149,7 +150,7 @@ Bounds parse_arena(const std::string& text, const Tracks& recording) {
   return bounds;
 }
 
-Conditions make_conditions(const Tracks& recording, const ConditionOptions& options) {
+Conditions make_conditions(const Tracks& recording, const ConditionOptions& options, std::int64_t warm_up) {
   Conditions c;
   c.options = options;
   c.metrics.velocity = options.velocity;
@@ -178,11 +179,12 @@ Conditions make_conditions(const Tracks& recording, const ConditionOptions& opti
   if (options.population > 0) c.scales.spacing *= std::pow(individuals_per_frame(recording) / options.population, 1.0 / recording.dims());
   c.first_frame = recording.frames().front().number;
   c.frames = recording.frames().back().number - c.first_frame + 1;
+  if (warm_up > 0) c.recording = cut(c.recording, c.first_frame + warm_up, c.first_frame + c.frames);
   return c;
 }
 
-Conditions held_out_conditions(const Tracks& held_out, const Conditions& fitted) {
-  Conditions c = make_conditions(held_out, fitted.options);
+Conditions held_out_conditions(const Tracks& held_out, const Conditions& fitted, std::int64_t warm_up) {
+  Conditions c = make_conditions(held_out, fitted.options, warm_up);
   c.scales = fitted.scales;
   c.localisation = fitted.localisation;
   c.sigma = fitted.sigma;

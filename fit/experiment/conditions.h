@@ -36,25 +36,26 @@ inline constexpr int kFewestSteps = -1;
 // Immutable and shared by all simulations of a fit.
 struct Conditions {
   ConditionOptions options;
-  Tracks recording;                               // as compared: smoothed if asked for
+  Tracks recording;                               // as compared: smoothed if asked for, without the warm-up
   Scales scales;                                  // L, NND, V of the recording
   World world;                                    // arena and presence
   Localisation localisation;                      // as estimated, whatever is used
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error put on simulated positions, per axis [unit]
   Grid grid;                                      // to which simulated positions are rounded
   MetricOptions metrics;                          // how both sides are measured
-  std::int64_t first_frame = 0, frames = 0;
+  std::int64_t first_frame = 0, frames = 0;  // that are simulated
   int unseen = 0;  // simulated individuals that the camera does not see
   // Of what models are told (Setup::reference), such as where the swarm stays; null: of the recording that is compared.
   std::shared_ptr<const Tracks> reference;
 };
 
+// The first `warm_up` frames are simulated, but not compared: in them a run forgets where it started.
 // Throws InputError where the recording cannot carry a fit: no motion, one individual only, an arena that excludes recorded positions.
-Conditions make_conditions(const Tracks& recording, const ConditionOptions& options);
+Conditions make_conditions(const Tracks& recording, const ConditionOptions& options, std::int64_t warm_up = 0);
 
 // Those of a part that was not fitted. Who is there, and where and how fast they enter, is its own; scales, localisation error, lags and
 // what models are told of the recording were learned from the part that was: they may not know the answer.
-Conditions held_out_conditions(const Tracks& held_out, const Conditions& fitted);
+Conditions held_out_conditions(const Tracks& held_out, const Conditions& fitted, std::int64_t warm_up = 0);
 
 // Standard deviation of what measurement adds to positions, per axis: localisation error and rounding [unit].
 Eigen::Array3d measurement_error(const Conditions& conditions);

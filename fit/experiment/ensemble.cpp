@@ -2,9 +2,11 @@
 #include "fit/experiment/ensemble.h"
 
 #include <algorithm>
+#include <array>
 
 #include "fit/experiment/kept_work.h"
 #include "fit/experiment/observe.h"
+#include "libtrack/cut.h"
 #include "libtrack/file.h"
 #include "libtrack/kinematics.h"
 
@@ -21,18 +23,23 @@ std::string key_of(const std::string& identity, const std::string& name, const J
   return sha256_hex(bytes);
 }
 
+void put_places(std::string& bytes, const Tracks& tracks) {
+  const TrackColumns& columns = tracks.columns();
+  put(bytes, columns.track);
+  put(bytes, columns.frame);
+  put(bytes, std::vector<double>(columns.pos.data(), columns.pos.data() + columns.pos.size()));
+}
+
 }  // namespace
 
 std::string fingerprint(const Conditions& c) {
   std::string bytes;
-  const TrackColumns& columns = c.recording.columns();
-  put(bytes, columns.track);
-  put(bytes, columns.frame);
-  for (int axis = 0; axis < 3; ++axis) {
-    const double* first = columns.pos.data() + axis * columns.pos.rows();
-    put(bytes, std::vector<double>(first, first + columns.pos.rows()));
-    put(bytes, c.sigma[axis]);
-  }
+  put_places(bytes, c.recording);
+  for (int axis = 0; axis < 3; ++axis) put(bytes, std::array{c.sigma[axis], c.grid.step[axis]});
+  put(bytes, std::array{c.scales.extent, c.scales.spacing, c.scales.speed, c.scales.unlike});
+  put(bytes, c.metrics.lags);
+  put(bytes, c.first_frame);
+  if (c.reference) put_places(bytes, *c.reference);
   return sha256_hex(bytes);
 }
 
@@ -73,6 +80,8 @@ Run Ensemble::run(const Job& job) const {
   meta.from.synthetic = true;
   Run run{collector.take(meta), lane.count, lane.blew_up};
   if (conditions_.options.smoothing > 0) run.seen = smooth(run.seen, conditions_.options.smoothing);
+  const std::int64_t compared = conditions_.recording.frames().front().number;
+  if (!as_recorded && compared > plan.first_frame) run.seen = cut(run.seen, compared, plan.first_frame + plan.frames);
   return run;
 }
 

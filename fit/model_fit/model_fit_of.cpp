@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fit/experiment/time_step.h"
+#include "fit/model_fit/likelihood.h"
 #include "fit/model_fit/parameter_posterior.h"
 
 namespace swarmfit {
@@ -84,6 +85,18 @@ void fill_posterior(ModelFit& fit, const ModelSearch& search, const Rng& rng) {
   facts.weight = found.posterior.weight;
   facts.effective = found.posterior.effective;
   for (const PosteriorRound& round : found.posterior.rounds) facts.simulations += round.simulations, facts.blew_up += round.blew_up;
+}
+
+void fill_likelihood(ModelFit& fit, const ModelSearch& search, const Rng& rng) {
+  const SearchSpace& space = search.space();
+  const auto found = maximum_likelihood(space, search.objective().ensemble().conditions(), search.selected().x, rng);
+  if (!found) return;
+  fit.likelihood = {found->log_likelihood, found->error};
+  for (const MostLikely& one : found->parameters) {
+    const std::string& name = space.model().spec->parameters[one.row].name;
+    const auto row = std::find_if(fit.parameters.begin(), fit.parameters.end(), [&](const ParameterResult& r) { return r.name == name; });
+    row->likelihood = {one.value, one.lower, one.upper};
+  }
 }
 
 std::vector<double> parameter_values(const ModelChoice& model, const ModelFit& fit) {

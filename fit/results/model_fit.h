@@ -23,6 +23,11 @@ struct ParameterUncertainty {
   double correlation = NAN;
 };
 
+// Its value of maximum likelihood and 95 % interval (fit/model_fit/likelihood.h), in physical units; NaN: not known.
+struct ParameterLikelihood {
+  double value = NAN, lower = NAN, upper = NAN;
+};
+
 struct ParameterResult {
   std::string name, symbol, unit, meaning;
   double value = 0, lower = 0, upper = 0;  // physical units; lower = upper = value where it was not searched
@@ -31,6 +36,8 @@ struct ParameterResult {
   std::string at_lower{};  // of the lower one, what that means, if anything
   ParameterUncertainty posterior{};
   bool interaction = false;  // of neighbours: used only with the model's interaction, or a length in neighbour distances
+  ParameterLikelihood likelihood{};
+  double halves_lower = NAN, halves_upper = NAN;  // smallest and largest value of the fits to halves (fit/compare/hold_out.h)
 };
 
 // Behind the uncertainty of a model's parameters.
@@ -39,6 +46,12 @@ struct PosteriorFacts {
   std::vector<double> weight{};               // sums to 1
   double effective = NAN;                     // effective sample size
   int simulations = 0, blew_up = 0;           // 0: no posterior
+};
+
+// Of a model that has a likelihood, at its maximum; NaN: not asked for, or it has none.
+struct LikelihoodFacts {
+  double log_likelihood = NAN;
+  double error = NAN;  // localisation error that it asks for, in the mean over the axes [unit]
 };
 
 // One point of a convergence curve.
@@ -99,22 +112,32 @@ struct Nearness {
   double ratio() const { return simulated / recorded; }
 };
 
-// A model on the half of the recording that it was not fitted to (fit/compare/hold_out.h), under the weights of the other half.
+// A model on the halves of the recording that it was not fitted to (fit/compare/hold_out.h).
 struct HeldOut {
-  double score = NAN;
-  Energies raw{};
-  Certainty certainty{};
-  Nearness nearness{};
+  std::vector<double> scores;   // per way of HoldOutFacts, means over its searches; their mean is Standing::score
+  double search_sd = NAN;       // how much the score scatters between searches of the same half; NaN: there was one
+  double goodness_p = NAN;      // as Certainty::goodness_p, of the recordings of both halves
+  std::int64_t simulations = 0; // runs, beside those of SearchFacts
+  Nearness nearness{};          // mean of both ways
+};
+
+// The score of the fit to the whole recording, on that recording.
+struct InSample {
+  int rank = 0;           // by this score; 0 if it is undefined
+  double score = NAN;     // E, with the comparison's weights
+  double score_se = NAN;  // standard error of the mean score of single final replicates; NaN if undefined
+  int group = 0;          // as in Certainty, of this score
+  double lower = NAN, upper = NAN;
 };
 
 // Where a model stands among those it was compared with.
 struct Standing {
-  int rank = 0;         // 1 is best; 0 if the score is undefined
-  double score = 0;     // E, higher is better, with the comparison's weights
-  double score_se = 0;  // standard error of the mean score of single final replicates; NaN if undefined
-  Energies energies{};  // (raw - p1)/p2, 0 where p2 = 0
-  Sensitivity sensitivity;
-  Certainty certainty;
+  int rank = 0;          // 1 is best; 0 if the score is undefined
+  double score = NAN;    // what decides, higher is better: of the halves that were not fitted, or else in sample
+  Certainty certainty{};  // of that score; goodness and own energies are of the fit to the whole recording
+  InSample in_sample{};
+  Energies energies{};   // (raw - p1)/p2 of the fit to the whole recording, 0 where p2 = 0
+  Sensitivity sensitivity{};
   HeldOut held_out{};
 };
 
@@ -144,6 +167,7 @@ struct ModelFit {
   std::vector<ParameterResult> parameters;     // the whole table, unused rows left out
   bool learns = false;                         // takes its motion from the recording, as fastswarm does
   PosteriorFacts posterior{};
+  LikelihoodFacts likelihood{};
   SearchFacts search;
   FinalRuns runs;
   Standing standing;

@@ -77,10 +77,19 @@ struct PanelFacts {
   std::vector<Estimate> recording_vacf;  // per lag
 };
 
-// Which frames were fitted, and which held out.
-struct HoldOutFacts {
-  bool used = false;
+// One half fitted, the other scored: first and last frames of each, and what was chosen by the fitted one.
+struct HeldOutWay {
   std::int64_t fitted_first = 0, fitted_last = 0, held_first = 0, held_last = 0;
+  std::vector<Column> columns;
+  PerColumn<double> weights{};  // of the columns
+};
+
+// How models were scored on what they were not fitted to. Without ways they were not.
+struct HoldOutFacts {
+  std::vector<HeldOutWay> ways;
+  std::int64_t warm_up = 0;  // frames at the start of every run that no score counts
+  int searches = 1;          // of each half
+  bool used() const { return !ways.empty(); }
 };
 
 // A recording under the conditions of a comparison. All tables have one entry per column.

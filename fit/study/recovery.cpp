@@ -24,7 +24,7 @@ RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::ui
   for (const ModelFit& fit : result.models) {
     out.order.push_back(fit.model);
     out.scores.push_back(fit.standing.score);
-    out.score_se.push_back(fit.standing.score_se);
+    out.score_se.push_back(fit.standing.in_sample.score_se);
     out.group.push_back(fit.standing.certainty.group);
     out.goodness_p.push_back(fit.standing.certainty.goodness_p);
     if (fit.model == name) out.rank_of_planted = fit.standing.rank;

@@ -29,7 +29,7 @@
 // yaw=random turns each about the vertical, for groups that fly alike in all of them. It does not say how the 300 were chosen, nor its
 // radii, nor the size of its noise.
 //
-// A simulation of recorded velocities has the recording's speeds whatever it does: judge it on what it did not learn from (--holdout).
+// A simulation of recorded velocities has the recording's speeds whatever it does: judge it on what it did not learn from (--holdout yes).
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -43,6 +43,23 @@ struct Buffers : Workspace {
   LinearNoise<3> transition;
 };
 
+// An agent enters with eta = on_x · x + on_v · v + rest · (a normal number), the stationary law given x and v.
+struct Entering {
+  double on_x, on_v, rest;
+};
+
+Entering entering(std::span<const double> p) {
+  const double a = 1 / p[kTauEta], g = 1 / p[kTauV], k = p[kK];
+  const double on_v = g, on_x = k * g / (a + g);
+  const double explained = (on_v * a + on_x) / (k + a * g + a * a);  // of the variance of eta
+  return {on_x, on_v, p[kSigma] * std::sqrt(std::max(0.0, 1 - explained))};
+}
+
+LinearMotion motion_of(std::span<const double> p) {
+  const auto [on_x, on_v, rest] = entering(p);
+  return {{{{0, 1, 0}, {-p[kK], -1 / p[kTauV], 1}, {0, 0, -1 / p[kTauEta]}}}, {0, 0, p[kSigma] * std::sqrt(2 / p[kTauEta])}, {on_x, on_v}, rest};
+}
+
 class Langevin : public Model {
  public:
   explicit Langevin(const Setup& setup) : dims_(setup.dims), centre_(setup) {}
@@ -51,11 +68,7 @@ class Langevin : public Model {
   std::unique_ptr<Workspace> workspace(const World&, const Rng&) const override { return std::make_unique<Buffers>(); }
 
   void enter(State& state, Index first, const World& world, const StepContext& c) const override {
-    const double a = 1 / c.p[kTauEta], g = 1 / c.p[kTauV], k = c.p[kK];
-    // eta = on_v · v + on_x · x + the rest, all three independent
-    const double on_v = g, on_x = k * g / (a + g);
-    const double explained = (on_v * a + on_x) / (k + a * g + a * a);  // of the variance of eta
-    const double rest = c.p[kSigma] * std::sqrt(std::max(0.0, 1 - explained));
+    const auto [on_x, on_v, rest] = entering(c.p);
     const Array3d centre = centre_.in(world.bounds);
     for (Index i = first; i < state.size(); ++i) {
       const Array3d x = world.bounds.separation(centre, state.pos.row(i).transpose()), v = state.vel.row(i).transpose();
@@ -68,7 +81,8 @@ class Langevin : public Model {
     Buffers& buffers = *static_cast<Buffers*>(c.work);
     if (const std::array now_of{c.dt, c.p[kTauV], c.p[kK], c.p[kTauEta], c.p[kSigma]}; buffers.of != now_of) {
       buffers.of = now_of;
-      buffers.transition = LinearNoise<3>(drift(c), {0, 0, c.p[kSigma] * std::sqrt(2 / c.p[kTauEta])}, c.dt);
+      const LinearMotion motion = motion_of(c.p);
+      buffers.transition = LinearNoise<3>(motion.drift, motion.noise, c.dt);
     }
     constexpr Stream streams[] = {Stream::noise, Stream::noise_path, Stream::noise_path_2};
     for (std::size_t k = 0; k < 3; ++k) buffers.noise[k].draw(c.rng, streams[k], c.tick, now.id);
@@ -92,11 +106,6 @@ class Langevin : public Model {
 
  private:
   Array3d flat(const Array3d& a) const { return dims_ == 2 ? Array3d(a[0], a[1], 0) : a; }
-
-  // d(x, v, eta) / dt without the noise.
-  static LinearNoise<3>::Matrix drift(const StepContext& c) {
-    return {{{0, 1, 0}, {-c.p[kK], -1 / c.p[kTauV], 1}, {0, 0, -1 / c.p[kTauEta]}}};
-  }
 
   int dims_;
   SwarmCentre centre_;
@@ -134,7 +143,8 @@ ModelSpec langevin_spec() {
           .options = {},
           .columns = {"eta_x", "eta_y", "eta_z"},
           .parameters = parameter_table(),
-          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Langevin>(setup); }};
+          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Langevin>(setup); },
+          .linear = [](const Options&, std::span<const double> p) -> std::optional<LinearMotion> { return motion_of(p); }};
 }
 
 }  // namespace swarmfit

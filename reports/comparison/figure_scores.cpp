@@ -31,24 +31,23 @@ plot::Axis score_axis(const Comparison& c, double room_for_labels) {
   for (const double end : {0.0, 1.0}) range.include(end);
   for (const ModelFit& r : c.models) {
     for (const double x : {r.standing.score, r.standing.certainty.lower, r.standing.certainty.upper}) range.include(x);
-    if (c.recording.hold_out.used)
-      for (const double x : {r.standing.held_out.score, r.standing.held_out.certainty.lower, r.standing.held_out.certainty.upper})
-        range.include(x);
+    for (const double x : {r.standing.in_sample.score, r.standing.in_sample.lower, r.standing.in_sample.upper}) range.include(x);
   }
   const double room = 0.03 * (range.upper - range.lower);
   return plot::linear(range.lower - room, range.upper + room, {5, room_for_labels, false});
 }
 
-void draw_score(plot::Panel& panel, double y, double score, const Certainty& certainty, std::size_t k, plot::Fill fill) {
-  panel.across(y, certainty.lower, certainty.upper, {plot::look(k).colour, fill == plot::Fill::none ? 0.7 : 1.4, ""});
+template <class Sure>
+void draw_score(plot::Panel& panel, double y, double score, const Sure& sure, std::size_t k, plot::Fill fill) {
+  panel.across(y, sure.lower, sure.upper, {plot::look(k).colour, fill == plot::Fill::none ? 0.7 : 1.4, ""});
   panel.marker({score, y}, k, fill);
 }
 
-// With a half held out, its score hollow beneath that of the fitted half.
+// With halves held out, the score in sample hollow beneath that of them.
 void draw_scores(plot::Panel& panel, double y, const Comparison& c, std::size_t k) {
   const ModelFit& r = c.models[k];
-  if (!c.recording.hold_out.used) return draw_score(panel, y, r.standing.score, r.standing.certainty, k, plot::Fill::of_series);
-  draw_score(panel, y - 0.28, r.standing.held_out.score, r.standing.held_out.certainty, k, plot::Fill::none);
+  if (!c.recording.hold_out.used()) return draw_score(panel, y, r.standing.score, r.standing.certainty, k, plot::Fill::of_series);
+  draw_score(panel, y - 0.28, r.standing.in_sample.score, r.standing.in_sample, k, plot::Fill::none);
   draw_score(panel, y + 0.1, r.standing.score, r.standing.certainty, k, plot::Fill::full);
 }
 
@@ -74,7 +73,8 @@ std::string scores_caption(const Comparison& c) {
   std::string out = "Entropy-weighted scores of the models (higher is better)";
   if (c.ranking.laws > 0) out += ", with intervals. " + what_ranks_mean(c);
   if (c.ranking.laws == 0) out += '.';
-  if (c.recording.hold_out.used) out += " Hollow: on the half of the recording that was held out.";
+  if (const std::string scores = what_held_out_means(c); !scores.empty()) out += ' ' + scores;
+  if (c.recording.hold_out.used()) out += " Hollow: in sample.";
   return out + unscored(c);
 }
 
@@ -179,7 +179,7 @@ Figure scores(const Comparison& c) {
   svg::Sheet sheet(names < 90 ? svg::kOneColumn : svg::kTwoColumns);
   const double right = sheet.width() - 4;
   const ScoreColumns at{right - 48, right - 32, right};
-  const double row = c.recording.hold_out.used ? 16 : 12, top = 12;
+  const double row = c.recording.hold_out.used() ? 16 : 12, top = 12;
   const svg::Box box{names + 10, top, at.score - 26 - names - 10, row * static_cast<double>(c.models.size()) + 2};
   const plot::Axis x = score_axis(c, box.width);
   plot::Panel panel(sheet, box, x, plot::linear(0, static_cast<double>(c.models.size())));
@@ -193,7 +193,7 @@ Figure scores(const Comparison& c) {
     write_row(sheet, panel.place({0, y}).y + 2.5, r, at);
   }
   panel.x_axis(svg::plain(
-      fmt::format("score{}{}", c.ranking.laws > 0 ? ", 95 % interval" : "", c.recording.hold_out.used ? "; hollow: held out" : "")));
+      fmt::format("score{}{}", c.ranking.laws > 0 ? ", 95 % interval" : "", c.recording.hold_out.used() ? "; hollow: in sample" : "")));
   const std::string absent = unscored(c);
   double height = box.bottom() + 24;
   if (!absent.empty()) height = sheet.note(height + 8, std::string_view(absent).substr(1)) - 4;

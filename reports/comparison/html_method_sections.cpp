@@ -26,8 +26,12 @@ double place(const ParameterResult& p) {
 Html parameter_table(const ModelFit& r) {
   HtmlTable table(fmt::format("Parameters of {}", r.model));
   const bool posterior = r.posterior.simulations > 0;
+  const bool halves = std::any_of(r.parameters.begin(), r.parameters.end(), [](const auto& p) { return std::isfinite(p.halves_lower); });
   Cells head = {column("parameter"),           column("symbol"),   column("value", true),         column("unit"),
                 column("searched from", true), column("to", true), column("place between bounds")};
+  if (halves) head.push_back(column("fits to halves", true));
+  const bool likely = std::isfinite(r.likelihood.log_likelihood);
+  if (likely) head.push_back(column("maximum likelihood, 95 %", true));
   if (posterior) head.insert(head.end(), {column("95 %", true), column("verdict"), column("goes with")});
   head.push_back(column("meaning"));
   table.head(head);
@@ -42,6 +46,8 @@ Html parameter_table(const ModelFit& r) {
                    number_cell(p.fitted ? rounded(p.lower) : ""),
                    number_cell(p.fitted ? rounded(p.upper) : ""),
                    {.content = where}};
+    if (halves) cells.push_back(number_cell(p.fitted ? halves_text(p) : ""));
+    if (likely) cells.push_back(number_cell(p.fitted ? likelihood_text(p) : ""));
     if (posterior)
       cells.insert(cells.end(), {number_cell(p.fitted ? interval_text(p.posterior) : ""), text_cell(p.posterior.verdict),
                                  text_cell(partner_text(p.posterior))});

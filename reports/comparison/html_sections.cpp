@@ -153,7 +153,7 @@ Html ranking(const Comparison& c) {
       name_cell(markup("weight in the score")), [](const Quantity&) { return text_cell(""); }, weights));
   Html out = table.html();
   for (const std::string& note :
-       {what_ranks_mean(c), c.recording.hold_out.used ? what_held_out_means(c) : std::string(), what_drowned_means(c)})
+       {what_ranks_mean(c), what_held_out_means(c), what_drowned_means(c)})
     if (!note.empty()) out += element("p", "note", escaped(note));
   if (const std::string fixed = kept_fixed(c); !fixed.empty())
     out += element("p", "note", Html{"<b>Kept fixed</b>, not searched: " + escaped(unit_in_print(fixed)).text + "."});

@@ -97,6 +97,8 @@ Json parameters(const std::vector<ParameterResult>& table) {
     Json& one = out[p.name];
     one = {{"value", p.value},       {"unit", p.unit}, {"lower", p.lower},   {"upper", p.upper},     {"fitted", p.fitted},
            {"at_bound", p.at_bound}, {"log", p.log},   {"symbol", p.symbol}, {"meaning", p.meaning}, {"interaction", p.interaction}};
+    if (std::isfinite(p.halves_lower)) one["halves"] = {p.halves_lower, p.halves_upper};
+    if (std::isfinite(p.likelihood.value)) one["likelihood"] = {p.likelihood.value, p.likelihood.lower, p.likelihood.upper};
     if (u.verdict.empty()) continue;
     one["ci"] = {u.lower, u.upper};
     one["median"] = u.median;
@@ -127,8 +129,14 @@ Json json_of(const Value& value) {
 }
 
 Json hold_out(const HoldOutFacts& h) {
-  if (!h.used) return {};
-  return {{"fitted", {h.fitted_first, h.fitted_last}}, {"held_out", {h.held_first, h.held_last}}};
+  if (!h.used()) return {};
+  Json ways = Json::array();
+  for (const HeldOutWay& w : h.ways)
+    ways.push_back({{"fitted", {w.fitted_first, w.fitted_last}},
+                    {"held_out", {w.held_first, w.held_last}},
+                    {"lags", lags_of(w.columns)},
+                    {"weights", per_column(w.columns, w.weights)}});
+  return {{"warm_up", h.warm_up}, {"searches", h.searches}, {"ways", std::move(ways)}};
 }
 
 Json posterior(const PosteriorFacts& p) {
@@ -156,10 +164,7 @@ Json model(const Comparison& c, const ModelFit& r) {
   for (const Quantity& q : quantities())
     if (known(q, c)) put(out, q.key, json_of(q.of(r)));
   for (const ColumnQuantity& q : column_quantities()) put(out, q.key, per_column(columns, q.of(r)));
-  if (c.recording.hold_out.used) {
-    out["held_out"]["raw_energies"] = per_column(columns, r.standing.held_out.raw);
-    out["held_out"]["own_energies"] = per_column(columns, r.standing.held_out.certainty.own);
-  }
+  if (c.recording.hold_out.used()) out["held_out"]["scores"] = r.standing.held_out.scores;
   Json replicates = Json::array();
   for (const Energies& e : r.runs.replicate_energies) replicates.push_back(per_column(columns, e));
   out["replicate_energies"] = std::move(replicates);
@@ -170,6 +175,8 @@ Json model(const Comparison& c, const ModelFit& r) {
   out["citation"] = r.citation;
   out["samples"] = samples(columns, r.runs.distributions);
   out["convergence"] = convergence(r.search.convergence);
+  if (std::isfinite(r.likelihood.log_likelihood))
+    out["likelihood"] = {{"log_likelihood", r.likelihood.log_likelihood}, {"localisation_error", r.likelihood.error}};
   if (r.posterior.simulations > 0) out["posterior"] = posterior(r.posterior);
   return out;
 }

@@ -67,7 +67,7 @@ PaperTable ranking(const Comparison& c) {
   const auto columns = ranking_columns(c, Reader::page);
   for (const Quantity* q : columns) t.head.emplace_back(q->head);
   if (const std::string skill = what_skill_means(c); !skill.empty()) t.caption += "Skill: " + skill + ' ';
-  if (c.recording.hold_out.used) t.caption += in_print(what_held_out_means(c)) + ' ';
+  t.caption += in_print(what_held_out_means(c)) + ' ';
   t.caption += origin(c);
   for (const ModelFit& r : c.models) {
     Row row = {r.model};
@@ -127,16 +127,17 @@ PaperTable weights(const Comparison& c, const Columns& columns) {
 PaperTable parameters(const Comparison& c) {
   const bool posterior = std::any_of(c.models.begin(), c.models.end(), [](const ModelFit& r) { return r.posterior.simulations > 0; });
   PaperTable t{"parameters",
-               fmt::format("Fitted parameters in physical units; * ended on a bound of the search.{} ",
+               fmt::format("Fitted parameters in physical units; * ended on a bound of the search.{}{} ",
+                           c.recording.hold_out.used() ? " Halves: smallest and largest value of the fits to halves of the recording." : "",
                            posterior ? " 95 %: central interval of the posterior." : "") +
                    origin(c),
-               {"model", "parameter", "value", "95 %", "unit", "lower", "upper"},
+               {"model", "parameter", "value", "halves", "95 %", "unit", "lower", "upper"},
                {},
-               "llrrlrr"};
+               "llrrrlrr"};
   for (const ModelFit& r : c.models)
     for (const ParameterResult& p : r.parameters)
       if (p.fitted)
-        t.rows.push_back({r.model, p.name, in_print(rounded(p.value, 4)) + (p.at_bound ? " *" : ""), in_print(interval_text(p.posterior)),
+        t.rows.push_back({r.model, p.name, in_print(rounded(p.value, 4)) + (p.at_bound ? " *" : ""), in_print(halves_text(p)), in_print(interval_text(p.posterior)),
                           unit_in_print(p.unit), in_print(rounded(p.lower)), in_print(rounded(p.upper))});
   return t;
 }
@@ -152,7 +153,7 @@ PaperTable sensitivity(const Comparison& c, const Columns& columns) {
       const Sensitivity& s = r.standing.sensitivity;
       return std::isfinite(s.without[m]) ? fmt::format("{} ({})", in_print(fixed(s.without[m], 3)), s.rank_without[m]) : kUndefined;
     });
-    row.insert(row.begin() + 1, fmt::format("{} ({})", in_print(fixed(r.standing.score, 3)), rank_text(r.standing.rank)));
+    row.insert(row.begin() + 1, fmt::format("{} ({})", in_print(fixed(r.standing.in_sample.score, 3)), rank_text(r.standing.in_sample.rank)));
     t.rows.push_back(std::move(row));
   }
   return t;

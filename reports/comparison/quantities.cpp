@@ -35,10 +35,8 @@ std::string skill_text(const ModelFit& m, Reader reader) {
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all = {
       {"rank", "1 is best", [](const ModelFit& m) { return place(m.standing.rank); }, "rank", Reader::terminal, rank_and_group},
-      {"score", "E, the weighted score: higher is better", [](const ModelFit& m) -> Value { return m.standing.score; }, "score",
+      {"score", "E, the weighted score that decides: higher is better", [](const ModelFit& m) -> Value { return m.standing.score; }, "score",
        Reader::terminal, [](const ModelFit& m, Reader) { return fixed(m.standing.score, 3); }},
-      {"score_se", "standard error of the mean score of single final replicates",
-       [](const ModelFit& m) -> Value { return m.standing.score_se; }},
       {"score_ci", "95 % interval of the score over recordings as long as this one",
        [](const ModelFit& m) -> Value {
          return Interval{m.standing.certainty.lower, m.standing.certainty.upper};
@@ -60,23 +58,25 @@ const std::vector<Quantity>& quantities() {
       {"skill", "1: as close as halves of the recording, 0: no closer than a random walk of its own steps",
        [](const ModelFit& m) -> Value { return m.likeness.skill.value; }, "skill", Reader::terminal, skill_text},
       {"skill_se", "standard error of the skill over final replicates", [](const ModelFit& m) -> Value { return m.likeness.skill.se; }},
-      {"held_out.score", "the score on the half of the recording that was not fitted",
-       [](const ModelFit& m) -> Value { return m.standing.held_out.score; }, "held out", Reader::terminal,
-       [](const ModelFit& m, Reader) { return held_out_score(m); }},
-      {"held_out.gap", "score minus held-out score",
-       [](const ModelFit& m) -> Value { return m.standing.score - m.standing.held_out.score; }, "gap", Reader::terminal,
-       [](const ModelFit& m, Reader) { return fixed(m.standing.score - m.standing.held_out.score, 3); }},
-      {"held_out.score_ci", "95 % interval of the held-out score",
+      {"in_sample.score", "score of the fit to the whole recording, on that recording",
+       [](const ModelFit& m) -> Value { return m.standing.in_sample.score; }, "in sample", Reader::terminal,
+       [](const ModelFit& m, Reader) { return fixed(m.standing.in_sample.score, 3); }},
+      {"in_sample.score_se", "its standard error, over single final replicates",
+       [](const ModelFit& m) -> Value { return m.standing.in_sample.score_se; }},
+      {"in_sample.rank", "rank by the score in sample", [](const ModelFit& m) { return place(m.standing.in_sample.rank); }},
+      {"in_sample.group", "group of the scores in sample", [](const ModelFit& m) { return place(m.standing.in_sample.group); }},
+      {"in_sample.score_ci", "95 % interval of the score in sample",
        [](const ModelFit& m) -> Value {
-         return Interval{m.standing.held_out.certainty.lower, m.standing.held_out.certainty.upper};
+         return Interval{m.standing.in_sample.lower, m.standing.in_sample.upper};
        }},
-      {"held_out.lead_ci", "95 % interval of the first model's held-out lead over this one",
-       [](const ModelFit& m) -> Value {
-         return Interval{m.standing.held_out.certainty.lead_lower, m.standing.held_out.certainty.lead_upper};
-       }},
-      {"held_out.group", "group on the held-out half", [](const ModelFit& m) { return place(m.standing.held_out.certainty.group); }},
-      {"held_out.set_p", "p at which the model leaves the model confidence set of the held-out half",
-       [](const ModelFit& m) -> Value { return m.standing.held_out.certainty.set_p; }},
+      {"held_out.gap", "score in sample minus score on the halves that were not fitted",
+       [](const ModelFit& m) -> Value { return m.standing.in_sample.score - m.standing.score; }},
+      {"held_out.search_sd", "standard deviation of the score between searches of the same half",
+       [](const ModelFit& m) -> Value { return m.standing.held_out.search_sd; }},
+      {"held_out.gof_p", "goodness of fit on the halves that were not fitted",
+       [](const ModelFit& m) -> Value { return m.standing.held_out.goodness_p; }},
+      {"held_out.simulations", "runs for the fits to halves, beside `simulations`",
+       [](const ModelFit& m) -> Value { return m.standing.held_out.simulations; }},
       {"held_out.nearness",
        "median distance of the model's paths from the nearest path of the fitted half, over that of the held-out paths: far below 1 it "
        "repeats",
@@ -104,12 +104,13 @@ const std::vector<Quantity>& quantities() {
   return all;
 }
 
-bool known(const Quantity& quantity, const Comparison& c) { return c.recording.hold_out.used || !quantity.key.starts_with("held_out."); }
+bool known(const Quantity& quantity, const Comparison& c) { return c.recording.hold_out.used() || !quantity.key.starts_with("held_out."); }
 
 std::vector<const Quantity*> ranking_columns(const Comparison& c, Reader reader) {
   std::vector<const Quantity*> out;
   for (const Quantity& q : quantities())
-    if (q.first <= reader && q.first != Reader::nobody && known(q, c)) out.push_back(&q);
+    if (q.first <= reader && q.first != Reader::nobody && known(q, c) && (q.key != "in_sample.score" || c.recording.hold_out.used()))
+      out.push_back(&q);
   return out;
 }
 

@@ -144,6 +144,19 @@ std::string panel_text(const Comparison& c, TextStyle style) {
   return '\n' + table.text();
 }
 
+// The fitted parameters of every model; those with a posterior are shown with it.
+std::string parameters_text(const Comparison& c, TextStyle style) {
+  std::vector<std::string> fits;
+  for (const ModelFit& r : c.models)
+    if (const std::string values = fitted_values(r); !values.empty() && r.posterior.simulations == 0) fits.push_back(r.model + ": " + values);
+  std::vector<std::string> likely;
+  for (const ModelFit& r : c.models)
+    if (const std::string values = most_likely_values(r); !values.empty()) likely.push_back(r.model + ": " + values);
+  return bullets("Maximum likelihood, 95 % intervals in brackets", likely, Paint::bold, style) +
+         bullets(c.recording.hold_out.used() ? "Fitted parameters (in brackets: between which values the fits to halves lie)" : "Fitted parameters",
+                 fits, Paint::bold, style);
+}
+
 // What the recording says about the parameters of every model that has a posterior.
 std::string posterior_text(const Comparison& c, TextStyle style) {
   std::string out;
@@ -196,8 +209,9 @@ std::string ranking_text(const Comparison& c, TextStyle style) {
   out += ranking_table(c, style).text();
   if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
   if (const std::string ranks = what_ranks_mean(c); !ranks.empty()) out += paragraph(ranks, " ");
-  if (c.recording.hold_out.used) out += paragraph(what_held_out_means(c), " ");
+  if (const std::string scores = what_held_out_means(c); !scores.empty()) out += paragraph(scores, " ");
   if (const std::string skill = what_skill_means(c); !skill.empty()) out += paragraph("skill: " + skill, " ");
+  out += parameters_text(c, style);
   if (const std::string fixed = kept_fixed(c); !fixed.empty()) out += paragraph("kept fixed: " + fixed, " ");
   out += paragraph("steps per frame: " + steps_taken(c), " ");
 

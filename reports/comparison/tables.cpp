@@ -73,8 +73,9 @@ void add(Csv& csv, const Value& value) {
 // Held-out columns stand there where nothing is held out, too, so that tables of several comparisons can be put together.
 std::string ranking(const Comparison& c) {
   Csv csv;
+  const ModelFit nobody;
   for (const Quantity& q : quantities()) {
-    for (const std::string& key : table_keys(q, q.of(ModelFit{}))) csv.field(key);
+    for (const std::string& key : table_keys(q, q.of(nobody))) csv.field(key);
     if (&q == &quantities().front()) csv.field("model");
   }
   csv.end();
@@ -162,12 +163,13 @@ std::string normalisation(const Comparison& c) {
 }
 
 std::string parameters(const Comparison& c) {
-  Csv csv = with_header({"model", "parameter", "value", "unit", "lower", "upper", "fitted", "at_bound", "median", "ci_lower", "ci_upper",
+  Csv csv = with_header({"model", "parameter", "value", "unit", "lower", "upper", "fitted", "at_bound", "halves_lower", "halves_upper", "likelihood", "likelihood_lower", "likelihood_upper", "median", "ci_lower", "ci_upper",
                          "contraction", "verdict", "partner", "correlation", "meaning"});
   for (const ModelFit& r : c.models) {
     for (const ParameterResult& p : r.parameters) {
       csv.field(r.model).field(p.name).field(p.value).field(p.unit).field(p.lower).field(p.upper);
-      csv.field(p.fitted ? "true" : "false").field(p.at_bound ? "true" : "false");
+      csv.field(p.fitted ? "true" : "false").field(p.at_bound ? "true" : "false").field(p.halves_lower).field(p.halves_upper);
+      csv.field(p.likelihood.value).field(p.likelihood.lower).field(p.likelihood.upper);
       const ParameterUncertainty& u = p.posterior;
       csv.field(u.median).field(u.lower).field(u.upper).field(u.contraction).field(u.verdict).field(u.partner).field(u.correlation);
       csv.field(p.meaning).end();
@@ -205,8 +207,8 @@ std::string sensitivity(const Comparison& c) {
   for (const ModelFit& r : c.models) {
     for (std::size_t m = 0; m < c.recording.columns.size(); ++m) {
       const Sensitivity& s = r.standing.sensitivity;
-      csv.field(r.model).field(c.recording.columns[m].key()).field(c.ranking.weights[m]).field(r.standing.score).field(s.without[m]);
-      csv.field(rank_text(r.standing.rank)).field(rank_text(s.rank_without[m])).field(s.doubled[m]).end();
+      csv.field(r.model).field(c.recording.columns[m].key()).field(c.ranking.weights[m]).field(r.standing.in_sample.score).field(s.without[m]);
+      csv.field(rank_text(r.standing.in_sample.rank)).field(rank_text(s.rank_without[m])).field(s.doubled[m]).end();
     }
   }
   return csv.take();

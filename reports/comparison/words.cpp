@@ -63,13 +63,14 @@ bool none_explains(const std::vector<const ModelFit*>& scored) {
                      [](const ModelFit* r) { return std::isfinite(r->standing.certainty.goodness_q) && !explains(*r); });
 }
 
-// Who is first where nobody was fitted, if that is another.
-std::string first_elsewhere(const std::vector<const ModelFit*>& scored) {
+// Which model has the highest score in sample, if that is another than the first.
+std::string first_in_sample(const Comparison& c, const std::vector<const ModelFit*>& scored) {
+  if (!c.recording.hold_out.used()) return {};
   const auto best = std::max_element(scored.begin(), scored.end(), [](const ModelFit* a, const ModelFit* b) {
-    return a->standing.held_out.score < b->standing.held_out.score;
+    return a->standing.in_sample.score < b->standing.in_sample.score;
   });
-  if (!std::isfinite((*best)->standing.held_out.score) || *best == scored.front()) return {};
-  return fmt::format("On the half that was held out {} has the highest score.", (*best)->model);
+  if (*best == scored.front()) return {};
+  return fmt::format("In sample {} has the highest score.", (*best)->model);
 }
 
 std::string join(const std::vector<std::string>& sentences) {
@@ -96,7 +97,7 @@ Headline tied(const Comparison& c, const std::vector<std::string>& together, con
           : fmt::format("{} cannot be told apart with this recording and budget.", enumerate(together)),
       join({fmt::format("{} has the highest score, but leads {} by only {}, no more than chance does ({}).", first.model, second.model,
                         fixed(first.standing.score - second.standing.score, 3), p_text(second.standing.certainty.set_p, c.ranking.laws)),
-            goodness(c, first), refuted(first), first_elsewhere(scored), main_misfit(c, first)})};
+            goodness(c, first), refuted(first), first_in_sample(c, scored), main_misfit(c, first)})};
 }
 
 Headline ranked(const Comparison& c, const std::vector<const ModelFit*>& scored) {
@@ -107,7 +108,7 @@ Headline ranked(const Comparison& c, const std::vector<const ModelFit*>& scored)
                                 : fmt::format("{} moves most like the recording.", first.model),
           join({fmt::format("It leads {} by {} in score ({}).", second.model, fixed(first.standing.score - second.standing.score, 3),
                             known ? p_text(second.standing.certainty.set_p, c.ranking.laws) : "it cannot be told how sure that is"),
-                goodness(c, first), refuted(first), first_elsewhere(scored), main_misfit(c, first)})};
+                goodness(c, first), refuted(first), first_in_sample(c, scored), main_misfit(c, first)})};
 }
 
 // Of the models alone.
@@ -278,15 +279,45 @@ std::string what_posteriors_mean() {
 
 std::string group_letter(const ModelFit& r) { return letter_of(r.standing.certainty.group); }
 
-std::string held_out_score(const ModelFit& r) {
-  const std::string letter = letter_of(r.standing.held_out.certainty.group);
-  return fixed(r.standing.held_out.score, 3) + (letter.empty() ? "" : ' ' + letter);
-}
-
 std::string what_held_out_means(const Comparison& c) {
   const HoldOutFacts& h = c.recording.hold_out;
-  return fmt::format("held out: models and weights are of frames {} to {}, these scores of frames {} to {}; gap: what a score loses there.",
-                     h.fitted_first, h.fitted_last, h.held_first, h.held_last);
+  if (!h.used()) return c.models.size() > 1 ? "score: in sample, of the frames that the models were fitted to." : "";
+  const HeldOutWay& w = h.ways.front();
+  return fmt::format(
+      "score: every model is fitted to frames {} to {} and scored on frames {} to {}, and the other way round; the score is the mean{}. in "
+      "sample: score of the fit to the whole recording.",
+      w.fitted_first, w.fitted_last, w.held_first, w.held_last, h.searches > 1 ? fmt::format(" of {} searches each", h.searches) : "");
+}
+
+std::string halves_text(const ParameterResult& p) {
+  return std::isfinite(p.halves_lower) ? fmt::format("{} .. {}", rounded(p.halves_lower), rounded(p.halves_upper)) : kUndefined;
+}
+
+std::string likelihood_text(const ParameterResult& p) {
+  const ParameterLikelihood& l = p.likelihood;
+  if (!std::isfinite(l.value)) return kUndefined;
+  return std::isfinite(l.lower) ? fmt::format("{} ({} .. {})", rounded(l.value), rounded(l.lower), rounded(l.upper))
+                                : fmt::format("{} (no interval)", rounded(l.value));
+}
+
+std::string most_likely_values(const ModelFit& r) {
+  std::string out;
+  if (!std::isfinite(r.likelihood.log_likelihood)) return out;
+  for (const ParameterResult& p : r.parameters)
+    if (std::isfinite(p.likelihood.value))
+      out += fmt::format("{}{} {}{}{}", out.empty() ? "" : ", ", p.name, likelihood_text(p), p.unit.empty() ? "" : " ", p.unit);
+  return out + fmt::format("; log-likelihood {:.1f}, localisation error {}", r.likelihood.log_likelihood, rounded(r.likelihood.error, 2));
+}
+
+std::string fitted_values(const ModelFit& r) {
+  std::string out;
+  for (const ParameterResult& p : r.parameters) {
+    if (!p.fitted) continue;
+    out += fmt::format("{}{} {}", out.empty() ? "" : ", ", p.name, rounded(p.value));
+    if (std::isfinite(p.halves_lower)) out += fmt::format(" ({})", halves_text(p));
+    if (!p.unit.empty()) out += ' ' + p.unit;
+  }
+  return out;
 }
 
 std::string sigma_text(const Comparison& c) {

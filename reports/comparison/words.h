@@ -67,8 +67,20 @@ double worst_energy(const Binning&);
 // "0.87 .. 0.95", the 95 % interval of the score over recordings; an en dash if unknown.
 std::string score_interval(const ModelFit&);
 // "0.731 a": the score on the half that was not fitted, and the group there.
-std::string held_out_score(const ModelFit&);
+// What the score is of: of the halves that were not fitted, or in sample.
 std::string what_held_out_means(const Comparison&);
+
+// "0.31 .. 0.42", between which the fits to halves put a parameter; kUndefined if there are none.
+std::string halves_text(const ParameterResult&);
+
+// "0.61 (0.55 .. 0.68)": of maximum likelihood; kUndefined if that is not known.
+std::string likelihood_text(const ParameterResult&);
+
+// "tau_v 0.61 (0.55 .. 0.68) s, ...": of a model that has a likelihood; else empty.
+std::string most_likely_values(const ModelFit&);
+
+// "gamma 0.0086 (halves 0.0071 .. 0.0092) 1/s, ...": the fitted parameters of a model.
+std::string fitted_values(const ModelFit&);
 // "a" for the best group, whose models cannot be told apart, "b" for the next; empty if unknown.
 std::string group_letter(const ModelFit&);
 

@@ -39,8 +39,10 @@ struct Scene {
   }
   void fill() {
     laws.recordings = laws.of.front();
-    certainty = certainties(fits, laws, target, weighting, kPooled);
+    certainty = certainties(std::array{trial()}, kPooled);
   }
+
+  Trial trial() const { return {fits, laws, &target, weighting}; }
 
   ModelChoice model = parse_model("bswarm");
   Tracks recording;
@@ -80,7 +82,7 @@ TEST(Certainty, IntervalsAreTurnedAndWidened) {
   s.add(1);
   s.add(1.3);
   s.fill();
-  const ScoreDraws all = score_draws(s.fits, s.laws, s.target, s.weighting, kPooled);
+  const ScoreDraws all = score_draws(s.trial(), kPooled);
   std::vector<double> leads;
   for (Index b = 0; b < all.draws.rows(); ++b) leads.push_back(all.draws(b, 0) - all.draws(b, 1));
   double mean = 0;
@@ -272,7 +274,7 @@ TEST(Certainty, EveryModelExplainsItsOwnRecordings) {
       const Weighting weighting = initial_weighting(used, target.worst());
       const Energies raw = objective.evaluate(truth, replicate_seeds({seed}, Stream::final_seeds, pooled)).raw;
       const Law law = law_of(objective, truth, {seed}, 39);
-      const auto sure = certainties({{-cost_of(raw, weighting), raw}}, {law, {law}, {0}, {1}}, target, weighting, pooled);
+      const auto sure = certainties(std::array{Trial{{{-cost_of(raw, weighting), raw}}, {law, {law}, {0}, {1}}, &target, weighting}}, pooled);
       rejected += sure[0].goodness_p <= 0.05;
     }
   }

@@ -218,7 +218,7 @@ TEST(Compare, APartThatBeatsItsWholeIsWarnedOf) {
       compare(test::planted_swarm(4), tiny({"bswarm", "bswarm[interaction=off]", "bswarm[noise=white]", "bswarm[avoidance=none]"}));
   const auto score = [&](const char* model, double value) {
     for (auto& fit : result.models)
-      if (fit.model == model) fit.standing.score = value, fit.standing.score_se = 0.01;
+      if (fit.model == model) fit.standing.in_sample.score = value, fit.standing.in_sample.score_se = 0.01;
   };
   const auto warned = ::testing::Contains(HasSubstr("worse than its own part"));
   score("bswarm[noise=white]", 1);     // not a part of bswarm: it has a parameter of its own

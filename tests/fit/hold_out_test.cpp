@@ -3,12 +3,15 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fit/experiment/objective.h"
+#include "fit/model_fit/race.h"
 #include "fit/study/recovery.h"
 #include "libeval/nearness.h"
 #include "libswarm/reference_set.h"
+#include "libtrack/cut.h"
 #include "libtrack/error.h"
 #include "tests/fit/planted.h"
 
@@ -21,18 +24,44 @@ Tracks film(std::int64_t frames) {
   return plant(parse_model("bswarm"), scene_parameters(parse_model("bswarm"), test::midge_parameters()), o);
 }
 
-TEST(Halves, AreEquallyLongAndApartByTheTimeOfTheSwarm) {
+TEST(Halves, AreEquallyLongEachAfterTheTimeOfTheSwarm) {
   const Tracks recording = film(300);
-  const Halves h = halves(recording);
-  const auto length = [](const Tracks& t) { return t.frames().back().number - t.frames().front().number + 1; };
-  EXPECT_EQ(length(h.fitted), length(h.held_out));
-  EXPECT_EQ(h.fitted.frames().front().number, recording.frames().front().number);
-  EXPECT_EQ(h.held_out.frames().back().number, recording.frames().back().number);
-  const auto apart = h.held_out.frames().front().number - h.fitted.frames().back().number - 1;
+  const auto [first, second] = halves(recording);
+  const auto length = [](const Half& h) { return h.tracks.frames().back().number - h.tracks.frames().front().number + 1 - h.warm_up; };
+  EXPECT_EQ(length(first), length(second));
+  EXPECT_EQ(first.tracks.frames().front().number, recording.frames().front().number);
+  EXPECT_EQ(second.tracks.frames().front().number, first.tracks.frames().back().number + 1);
+  EXPECT_GE(second.tracks.frames().back().number, recording.frames().back().number - 1);
   const double memory = std::max(natural_scales(recording).time(), correlation_time(recording));
-  EXPECT_GE(static_cast<double>(apart) * recording.dt(), memory);
-  EXPECT_LT(static_cast<double>(apart) * recording.dt(), memory + 2 * recording.dt());
+  for (const Half& half : {first, second}) {
+    EXPECT_GE(static_cast<double>(half.warm_up) * recording.dt(), memory);
+    EXPECT_LT(static_cast<double>(half.warm_up) * recording.dt(), memory + 2 * recording.dt());
+  }
   EXPECT_THROW(halves(film(80)), InputError);
+}
+
+TEST(Halves, AreWorthItIfLongerThanThreeTimesTheMemory) {
+  const Tracks recording = film(600);
+  const std::int64_t memory = halves(recording).first.warm_up;
+  const auto first_frames = [&](std::int64_t frames) { return cut(recording, recording.frames().front().number, frames); };
+  EXPECT_TRUE(worth_halving(recording));
+  EXPECT_FALSE(worth_halving(first_frames(6 * memory)));
+  EXPECT_FALSE(worth_halving(first_frames(40)));
+}
+
+TEST(Halves, WhatRunsForgetInIsSimulatedAndNotCompared) {
+  const Half half = halves(film(300)).second;
+  for (const auto presence : {ConditionOptions::Presence::recorded, ConditionOptions::Presence::constant}) {
+    ConditionOptions options;
+    options.presence = presence;
+    const Conditions c = make_conditions(half.tracks, options, half.warm_up);
+    EXPECT_EQ(c.first_frame, half.tracks.frames().front().number);
+    EXPECT_EQ(c.recording.frames().front().number, c.first_frame + half.warm_up);
+    const ModelChoice model = parse_model("brownian");
+    const Tracks seen = Ensemble(model, c).run({planted_parameters(model, c.scales), Rng{1}}).seen;
+    EXPECT_EQ(seen.frames().front().number, c.recording.frames().front().number);
+    EXPECT_EQ(seen.frames().back().number, c.recording.frames().back().number);
+  }
 }
 
 CompareOptions tiny() {
@@ -43,41 +72,73 @@ CompareOptions tiny() {
   return o;
 }
 
-TEST(HoldOut, FitsTheFirstHalfAndScoresTheSecond) {
+const ModelFit& of(const Comparison& c, const std::string& model) {
+  return *std::find_if(c.models.begin(), c.models.end(), [&](const ModelFit& m) { return m.model == model; });
+}
+
+TEST(HoldOut, RanksByTheHalvesThatWereNotFitted) {
   const Tracks recording = film(300);
   auto options = tiny();
-  options.hold_out = true;
+  options.hold_out = CompareOptions::HoldOutWhen::always;
   const Comparison held = compare(recording, options);
-  ASSERT_TRUE(held.recording.hold_out.used);
-  options.hold_out = false;
-  const Comparison half = compare(halves(recording).fitted, options);
-  ASSERT_EQ(held.models.size(), half.models.size());
-  for (std::size_t m = 0; m < half.models.size(); ++m) EXPECT_EQ(held.models[m].runs.raw_energies, half.models[m].runs.raw_energies) << m;
-  EXPECT_FALSE(half.recording.hold_out.used);
-  EXPECT_TRUE(std::isnan(half.models[0].standing.held_out.score));
+  ASSERT_EQ(held.recording.hold_out.ways.size(), 2u);
+  options.hold_out = CompareOptions::HoldOutWhen::never;
+  const Comparison whole = compare(recording, options);
+  EXPECT_FALSE(whole.recording.hold_out.used());
+  for (const ModelFit& m : held.models) {
+    const ModelFit& other = of(whole, m.model);
+    EXPECT_EQ(m.runs.raw_energies, other.runs.raw_energies) << "the fit to the whole recording is the same";
+    EXPECT_EQ(m.standing.in_sample.score, other.standing.score);
+    EXPECT_EQ(other.standing.in_sample.score, other.standing.score);
+    EXPECT_NE(m.standing.score, m.standing.in_sample.score);
+    ASSERT_EQ(m.standing.held_out.scores.size(), 2u);
+    EXPECT_DOUBLE_EQ(m.standing.score, (m.standing.held_out.scores[0] + m.standing.held_out.scores[1]) / 2);
+    EXPECT_GT(m.standing.held_out.simulations, 0);
+    for (const ParameterResult& p : m.parameters) {
+      EXPECT_EQ(std::isfinite(p.halves_lower), p.fitted) << p.name;
+      EXPECT_FALSE(p.halves_lower > p.halves_upper) << p.name;
+    }
+  }
+  EXPECT_GE(held.models[0].standing.score, held.models[1].standing.score);
+  EXPECT_EQ(of(held, "boids").standing.certainty.group, 2) << "boids is found out on the halves";
+  EXPECT_GT(of(held, "boids").standing.certainty.lead_lower, 0);
+}
 
-  // By hand: the fitted parameters under the other half's own conditions and what was learned from the first, scored with its weights.
-  const Halves parts = halves(recording);
-  const Conditions fitted = make_conditions(parts.fitted, options.conditions);
-  Conditions conditions = make_conditions(parts.held_out, options.conditions);
-  conditions.metrics.lags = {1};
+// By hand: the parameters fitted to one half under the other's own conditions and what was learned from the first, with its weights.
+TEST(HoldOut, AWayIsAComparisonOfOneHalfScoredOnTheOther) {
+  const Tracks recording = film(300);
+  const auto options = tiny();
+  const HoldOut held = hold_out(recording, options);
+  const auto [first, second] = halves(recording);
+  const Conditions fitted = make_conditions(second.tracks, options.conditions, second.warm_up);
+  Conditions conditions = make_conditions(first.tracks, options.conditions, first.warm_up);
   conditions.scales = fitted.scales;
   conditions.sigma = fitted.sigma;
+  conditions.reference = std::make_shared<const Tracks>(fitted.recording);
   const Target target(metric_samples(conditions.recording, conditions.metrics), options.binning);
-  Objective objective(parse_model("bswarm"), conditions, target);
-  const auto& fit = held.models[0];
-  ASSERT_EQ(fit.model, "bswarm");
-  objective.use_steps(fit.runs.steps);
-  const auto raw =
-      objective.evaluate(parameter_values(parse_model("bswarm"), fit), replicate_seeds({options.seed}, Stream::final_seeds, 3)).raw;
-  EXPECT_EQ(fit.standing.held_out.raw, raw);
-  double cost = -1;
-  for (std::size_t j = 0; j < kMetrics; ++j)
-    if (held.ranking.weights[j] > 0 && held.ranking.p2[j] > 0)
-      cost += held.ranking.weights[j] * (raw[j] - held.ranking.p1[j]) / held.ranking.p2[j];
-  EXPECT_NEAR(fit.standing.held_out.score, -cost, 1e-12);
-  EXPECT_EQ(held.models[1].standing.held_out.certainty.group, 2) << "boids is found out on either half";
-  EXPECT_GT(held.models[1].standing.held_out.certainty.lead_lower, 0);
+  const Trial& trial = held.trials[1];
+  const ModelChoice model = parse_model("boids");
+  Objective objective(model, conditions, target);
+  objective.use_steps(of(compare(recording, options), "boids").runs.steps);
+  const auto raw = objective.evaluate(held.values[1][1], replicate_seeds(trial.laws.root, Stream::final_seeds, 3)).raw;
+  EXPECT_EQ(trial.models[1].raw, raw);
+  EXPECT_NEAR(trial.models[1].score, -cost_of(raw, trial.weighting), 1e-12);
+  EXPECT_EQ(held.facts.ways[1].fitted_first, fitted.recording.frames().front().number);
+  EXPECT_EQ(held.facts.ways[1].held_last, conditions.recording.frames().back().number);
+}
+
+TEST(HoldOut, SeveralSearchesAreAveragedAndTheirScatterIsKnown) {
+  const Tracks recording = film(300);
+  auto options = tiny();
+  const HoldOut one = hold_out(recording, options);
+  EXPECT_TRUE(std::isnan(one.models[0].search_sd));
+  options.searches = 3;
+  const HoldOut three = hold_out(recording, options);
+  EXPECT_EQ(three.values[0].size(), 6u);
+  EXPECT_EQ(three.values[0][0], one.values[0][0]) << "the first search is the one that was alone";
+  EXPECT_NE(three.values[0][1], three.values[0][0]);
+  EXPECT_GT(three.models[0].search_sd, 0);
+  EXPECT_GT(three.models[0].simulations, 2 * one.models[0].simulations);
 }
 
 Eigen::Array3d centre_of(const Tracks& t) { return t.pos().colwise().mean().transpose(); }
@@ -86,9 +147,9 @@ Eigen::Array3d centre_of(const Tracks& t) { return t.pos().colwise().mean().tran
 TEST(HoldOut, ModelsDoNotKnowWhereTheOtherHalfIs) {
   const Tracks recording = film(300);
   const Halves parts = halves(recording);
-  const Conditions fitted = make_conditions(parts.fitted, {});
-  const Conditions there = held_out_conditions(parts.held_out, fitted);
-  EXPECT_EQ(there.first_frame, parts.held_out.frames().front().number);
+  const Conditions fitted = make_conditions(parts.first.tracks, {});
+  const Conditions there = held_out_conditions(parts.second.tracks, fitted);
+  EXPECT_EQ(there.first_frame, parts.second.tracks.frames().front().number);
   EXPECT_EQ(there.sigma.matrix(), fitted.sigma.matrix());
   EXPECT_EQ(there.scales.extent, fitted.scales.extent);
   const Target target(metric_samples(there.recording, there.metrics), {});
@@ -97,9 +158,9 @@ TEST(HoldOut, ModelsDoNotKnowWhereTheOtherHalfIs) {
   const Tracks run = Ensemble(model, there).run({still, Rng{1}}).seen;
   const auto last = run.frames().back();
   const Eigen::Array3d end = run.pos().middleRows(last.first, last.count).colwise().mean().transpose();
-  const double apart = (centre_of(parts.held_out) - centre_of(parts.fitted)).matrix().norm();
+  const double apart = (centre_of(parts.second.tracks) - centre_of(parts.first.tracks)).matrix().norm();
   ASSERT_GT(apart, 5 * there.sigma.matrix().norm()) << "the halves must lie apart for this to mean anything";
-  EXPECT_LT((end - centre_of(parts.fitted)).matrix().norm(), 0.2 * apart);
+  EXPECT_LT((end - centre_of(parts.first.tracks)).matrix().norm(), 0.2 * apart);
 }
 
 // What fastswarm does on the other half it has seen in the half that was fitted.
@@ -108,7 +169,7 @@ TEST(HoldOut, LearnsFromTheFittedHalfOnly) {
   ConditionOptions options;
   options.error = ConditionOptions::Error::none;
   options.rounding = false;
-  const Conditions fitted = make_conditions(parts.fitted, options), there = held_out_conditions(parts.held_out, fitted);
+  const Conditions fitted = make_conditions(parts.first.tracks, options), there = held_out_conditions(parts.second.tracks, fitted);
   const ModelChoice model = parse_model("fastswarm");
   const Tracks run = Ensemble(model, there).run({planted_parameters(model, fitted.scales), Rng{1}}).seen;
   const ReferenceSet set(fitted.recording, {}, {});
@@ -129,7 +190,7 @@ TEST(HoldOut, LearnsFromTheFittedHalfOnly) {
 TEST(HoldOut, SaysHowNearMotionLiesToWhatWasFitted) {
   auto options = tiny();
   options.models = {parse_model("fastswarm"), parse_model("boids")};
-  options.hold_out = true;
+  options.hold_out = CompareOptions::HoldOutWhen::always;
   const Comparison c = compare(film(300), options);
   for (const ModelFit& m : c.models) {
     EXPECT_GT(m.standing.held_out.nearness.recorded, 0);
@@ -137,7 +198,7 @@ TEST(HoldOut, SaysHowNearMotionLiesToWhatWasFitted) {
     EXPECT_GE(m.standing.held_out.nearness.frames, 2);
     EXPECT_EQ(m.learns, m.model == "fastswarm");
   }
-  EXPECT_THAT(c.warnings, testing::Contains(testing::HasSubstr("fastswarm takes its velocities from the half that was fitted")));
+  EXPECT_THAT(c.warnings, testing::Contains(testing::HasSubstr("fastswarm takes its velocities from the half that is fitted")));
 }
 
 }  // namespace

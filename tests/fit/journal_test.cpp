@@ -158,7 +158,7 @@ TEST_F(JournalTest, AComparisonGoesOnToTheSameResult) {
   const auto scores = [](const Comparison& c) {
     std::vector<double> out;
     for (const auto& m : c.models)
-      out.push_back(m.standing.score), out.push_back(m.standing.score_se), out.push_back(m.likeness.skill.value);
+      out.push_back(m.standing.score), out.push_back(m.standing.in_sample.score_se), out.push_back(m.likeness.skill.value);
     for (const auto& row : c.run.history) out.insert(out.end(), row.raw.begin(), row.raw.end());
     return out;
   };

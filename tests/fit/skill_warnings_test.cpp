@@ -35,11 +35,11 @@ TEST(LearningWarnings, SayWhatThePlaceOfACopierIsWorth) {
   EXPECT_THAT(warnings_of_learning(c), IsEmpty());
   c.models[0].learns = true;
   EXPECT_THAT(warnings_of_learning(c), ElementsAre(HasSubstr("copier takes its velocities from the recording that it is judged on")));
-  c.recording.hold_out.used = true;
+  c.recording.hold_out.ways = {{1, 240, 261, 500, {}, {}}};
   c.models[0].standing.held_out.nearness = {8, 10, 25};
   EXPECT_THAT(warnings_of_learning(c),
-              ElementsAre(HasSubstr("Over 25 frames its paths lie 0.80 times as far from the nearest path of that half "
-                                    "as the held-out ones do.")));
+              ElementsAre(HasSubstr("Over 25 frames its paths on the other half lie 0.80 times as far from the nearest path that it "
+                                    "has seen as the recorded ones do.")));
   c.models[0].standing.held_out.nearness.simulated = 4;
   EXPECT_THAT(warnings_of_learning(c), ElementsAre(HasSubstr("do: it repeats what it has seen.")));
 }

@@ -20,6 +20,7 @@ TEST(WithoutEach, RanksTheOthers) {
   for (const auto& [name, raw] : table) {
     models.emplace_back().model = name;
     std::copy(raw.begin(), raw.end(), models.back().runs.raw_energies.begin());
+    models.back().standing.in_sample.score = -static_cast<double>(models.size());
   }
   const auto without = without_each(models, recording);
   ASSERT_EQ(without.size(), 4u);

@@ -152,9 +152,9 @@ TEST(Figures, EveryModelHasItsIntervalAndLetter) {
   EXPECT_THAT(svg, AllOf(HasSubstr(">0.912</text>"), HasSubstr(">a</text>"), HasSubstr(">bswarm[noise=white]</text>"),
                          HasSubstr("score, 95 % interval")));
   Comparison held_out = sample_comparison();
-  held_out.recording.hold_out = {true, 1, 240, 261, 500};
-  for (ModelFit& r : held_out.models) r.standing.held_out = {r.standing.score - 0.1, r.runs.raw_energies, r.standing.certainty};
-  EXPECT_THAT(named(figures(held_out), "scores").svg, HasSubstr("hollow: held out"));
+  held_out.recording.hold_out.ways = {{1, 240, 261, 500, {}, {}}, {261, 500, 1, 240, {}, {}}};
+  for (ModelFit& r : held_out.models) r.standing.in_sample.score = r.standing.score + 0.1;
+  EXPECT_THAT(named(figures(held_out), "scores").svg, HasSubstr("hollow: in sample"));
 }
 
 TEST(Figures, PosteriorsAreBarsBesideTheirValues) {

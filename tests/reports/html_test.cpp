@@ -124,7 +124,7 @@ TEST(Report, HostileTextIsShownAndNeverRuns) {
 TEST(Report, UndefinedNumbersAreDashesAndNulls) {
   Comparison c = sample_comparison();
   ModelFit& r = c.models[1];
-  r.standing.score = r.standing.score_se = r.runs.infeasible_avoidance = NAN;
+  r.standing.score = r.standing.in_sample.score = r.standing.in_sample.score_se = r.runs.infeasible_avoidance = NAN;
   r.standing.rank = 0;
   r.runs.raw_energies.fill(NAN);
   r.runs.raw_se.fill(INFINITY);

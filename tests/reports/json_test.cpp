@@ -33,7 +33,6 @@ TEST(ResultsJson, HasEveryDocumentedKey) {
     for (const char* key : {"name",
                             "rank",
                             "score",
-                            "score_se",
                             "score_ci",
                             "group",
                             "set_p",
@@ -61,7 +60,7 @@ TEST(ResultsJson, HasEveryDocumentedKey) {
 TEST(ResultsJson, LeavesOutWhatDoesNotExist) {
   const json j = json::parse(to_json(sample_comparison()));
   for (const char* key : {"ess"}) EXPECT_FALSE(j.contains(key)) << key;
-  for (const char* key : {"holdout"}) EXPECT_FALSE(j["models"][0].contains(key)) << key;
+  for (const char* key : {"held_out"}) EXPECT_FALSE(j["models"][0].contains(key)) << key;
 }
 
 TEST(ResultsJson, KeysStandInTheDocumentedOrder) {

@@ -71,11 +71,11 @@ TEST(PaperTables, TheRankingHasGroupsSkillAndTheHeldOutHalf) {
   PaperTable t = paper_tables(c).front();
   EXPECT_THAT(t.head, testing::ElementsAre("model", "rank", "score", "95 %", "fit p", "skill", "fitted", "candidates"));
   EXPECT_THAT(t.rows[0], testing::ElementsAre("bswarm", "1 a", "0.912", "0.88 to 0.93", "0.50", "−0.07 ± 0.02", "3", "2423"));
-  c.recording.hold_out = {true, 1, 240, 261, 500};
-  c.models[0].standing.held_out.score = 0.712;
+  c.recording.hold_out.ways = {{1, 240, 261, 500, {}, {}}, {261, 500, 1, 240, {}, {}}};
+  c.models[0].standing.in_sample.score = 0.962;
   t = paper_tables(c).front();
-  EXPECT_EQ(t.rows[0][6], "0.712");
-  EXPECT_EQ(t.rows[0][7], "0.200");
+  EXPECT_EQ(t.head[6], "in sample");
+  EXPECT_EQ(t.rows[0][6], "0.962");
   EXPECT_THAT(t.caption, HasSubstr("frames 261 to 500"));
 }
 

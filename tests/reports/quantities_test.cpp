@@ -23,12 +23,13 @@ std::string schema_page() {
 
 TEST(Quantities, HaveKeysOfTheirOwnAndAMeaning) {
   std::set<std::string_view> keys;
+  const ModelFit nobody;
   for (const Quantity& q : quantities()) {
     EXPECT_TRUE(keys.insert(q.key).second) << q.key;
     EXPECT_FALSE(q.meaning.empty() || q.meaning.ends_with('.')) << q.key;
     EXPECT_EQ(q.first == Reader::nobody, q.print == nullptr) << q.key;
     EXPECT_EQ(q.head.empty(), q.print == nullptr) << q.key;
-    EXPECT_EQ(q.key.ends_with("_ci"), std::holds_alternative<Interval>(q.of(ModelFit{}))) << q.key;
+    EXPECT_EQ(q.key.ends_with("_ci"), std::holds_alternative<Interval>(q.of(nobody))) << q.key;
   }
   for (const ColumnQuantity& q : column_quantities()) EXPECT_TRUE(keys.insert(q.key).second) << q.key;
 }
@@ -42,7 +43,7 @@ TEST(Quantities, StandOnThePageOfTheSchema) {
 
 TEST(Quantities, AreInResultsAndTables) {
   Comparison c = sample_comparison();
-  c.recording.hold_out.used = true;
+  c.recording.hold_out.ways = {{1, 240, 261, 500, {}, {}}};
   const auto json = nlohmann::json::parse(to_json(c)).at("models").at(0);
   const std::string ranking = result_tables(c).front().csv;
   for (const Quantity& q : quantities()) {

@@ -68,7 +68,9 @@ ModelFit fit_result(const Comparison& c, const Sketch& sketch, int rank) {
   r.options = {{"avoidance", "orca"}, {"noise", "curl"}};
   r.standing.rank = rank;
   r.standing.score = sketch.score;
-  r.standing.score_se = sketch.score_se;
+  r.standing.in_sample.rank = rank;
+  r.standing.in_sample.score = sketch.score;
+  r.standing.in_sample.score_se = sketch.score_se;
   for (std::size_t m = 0; m < kMetrics; ++m) {
     const double stretch = std::pow(sketch.stretch, 1 + 0.2 * static_cast<double>(m));
     r.runs.distributions[m] = distribution(m, stretch);
@@ -191,9 +193,9 @@ void add_groups(Comparison& c) {
   int group = 0;
   const ModelFit* best = nullptr;
   for (ModelFit& r : c.models) {
-    const double se = best ? std::hypot(best->standing.score_se, r.standing.score_se) : 0;
+    const double se = best ? std::hypot(best->standing.in_sample.score_se, r.standing.in_sample.score_se) : 0;
     if (!best || best->standing.score - r.standing.score > 2 * se) best = &r, ++group;
-    r.standing.certainty.group = std::isfinite(r.standing.score) && std::isfinite(se) && std::isfinite(r.standing.score_se) ? group : 0;
+    r.standing.certainty.group = std::isfinite(r.standing.score) && std::isfinite(se) && std::isfinite(r.standing.in_sample.score_se) ? group : 0;
   }
 }
 

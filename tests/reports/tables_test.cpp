@@ -60,7 +60,7 @@ TEST(Tables, RawEnergiesHoldOnlyMetricsThatCount) {
 
 TEST(Tables, UndefinedIsEmpty) {
   Comparison c = sample_comparison();
-  c.models[0].standing.score_se = NAN;
+  c.models[0].standing.in_sample.score_se = NAN;
   c.models[0].standing.rank = 0;
   EXPECT_THAT(lines(table(c, "ranking.csv"))[1], StartsWith(",bswarm,0.912,,"));
 }

@@ -61,16 +61,16 @@ TEST(RankingText, FitsAHundredColumns) {
   EXPECT_LE(widest(ranking_text(sample_comparison(), {.colour = false, .unicode = false})), 100u);
 }
 
-TEST(RankingText, ShowsTheHeldOutHalfAndPosteriorsWhereThereAreSome) {
+TEST(RankingText, ShowsHalvesAndPosteriorsWhereThereAreSome) {
   Comparison c = sample_comparison();
-  EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("held out")));
+  EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("the other way round")));
   EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("verdict")));
-  c.recording.hold_out = {true, 1, 240, 261, 500};
-  for (ModelFit& r : c.models) r.standing.held_out.score = r.standing.score - 0.2;
+  c.recording.hold_out.ways = {{1, 240, 261, 500, {}, {}}, {261, 500, 1, 240, {}, {}}};
+  for (ModelFit& r : c.models) r.standing.in_sample.score = r.standing.score + 0.05;
   c.models[0].posterior.simulations = 1800;
   c.models[0].parameters[0].posterior = {0.012, 0.01, 0.0141, 0.9, "identified", "chi_att", -0.83};
   const std::string text = ranking_text(c, {});
-  EXPECT_THAT(text, HasSubstr("0.712  0.200"));
+  EXPECT_THAT(text, HasSubstr("0.962"));
   EXPECT_THAT(text, HasSubstr("0.0100 .. 0.0141"));
   EXPECT_THAT(text, HasSubstr("identified  chi_att (-0.83)"));
   EXPECT_LE(widest(text), 100u);
@@ -97,7 +97,7 @@ TEST(RankingText, PathsCannotDriveTheTerminal) {
 
 TEST(RankingText, UndefinedNumbersAreDashes) {
   Comparison c = sample_comparison();
-  for (ModelFit& r : c.models) r.standing.score = r.standing.score_se = NAN, r.standing.rank = 0;
+  for (ModelFit& r : c.models) r.standing.score = r.standing.in_sample.score = NAN, r.standing.rank = 0;
   EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("nan")));
 }
 

@@ -106,17 +106,24 @@ TEST(Words, StepsPerFrameOfEveryModel) {
   EXPECT_EQ(steps_taken(c), "b and d 2; a 4; c decides once per frame");
 }
 
-TEST(Headline, SaysWhoIsFirstWhereNobodyWasFitted) {
+TEST(Headline, SaysWhichModelIsFirstInSample) {
   Comparison c = in_groups({1, 2});
-  c.recording.hold_out = {true, 1, 240, 261, 500};
-  c.models[0].standing.held_out.score = 0.4;
-  c.models[1].standing.held_out.score = 0.3;
-  EXPECT_THAT(headline(c).detail, Not(HasSubstr("held out")));
-  c.models[1].standing.held_out.score = 0.5;
-  c.models[1].standing.held_out.certainty.group = 1;
-  EXPECT_THAT(headline(c).detail, HasSubstr("On the half that was held out b has the highest score."));
-  EXPECT_EQ(held_out_score(c.models[1]), "0.500 a");
-  EXPECT_THAT(what_held_out_means(c), HasSubstr("frames 1 to 240, these scores of frames 261 to 500"));
+  EXPECT_THAT(what_held_out_means(c), HasSubstr("in sample, of the frames that the models were fitted to"));
+  c.recording.hold_out.ways = {{1, 240, 261, 500, {}, {}}, {261, 500, 1, 240, {}, {}}};
+  c.models[0].standing.in_sample.score = 0.4;
+  c.models[1].standing.in_sample.score = 0.3;
+  EXPECT_THAT(headline(c).detail, Not(HasSubstr("In sample")));
+  c.models[1].standing.in_sample.score = 0.5;
+  EXPECT_THAT(headline(c).detail, HasSubstr("In sample b has the highest score."));
+  EXPECT_THAT(what_held_out_means(c), HasSubstr("fitted to frames 1 to 240 and scored on frames 261 to 500, and the other way round"));
+}
+
+TEST(Words, FittedValuesWithTheRangeOfTheHalves) {
+  ModelFit m;
+  m.parameters = {{"gamma", "", "1/mm", "", 0.5, 0, 1, true}, {"k", "", "", "", 2, 0, 3, true}, {"fixed", "", "", "", 1, 1, 1, false}};
+  EXPECT_EQ(fitted_values(m), "gamma 0.500 1/mm, k 2.00");
+  m.parameters[0].halves_lower = 0.25, m.parameters[0].halves_upper = 1;
+  EXPECT_EQ(fitted_values(m), "gamma 0.500 (0.250 .. 1.00) 1/mm, k 2.00");
 }
 
 TEST(Headline, LettersAndIntervals) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/model_fit/calibration.h"
+#include "fit/model_fit/model_search.h"
 
 #include <algorithm>
 #include <cmath>
