@@ -42,8 +42,8 @@ TEST(PaperTables, OnlyFittedParametersAreListed) {
   const PaperTable t = named("parameters");
   EXPECT_EQ(t.rows.size(), 5u * 3);
   EXPECT_EQ(t.rows[1][2], "2310 *") << "the mark of a bound";
-  EXPECT_THAT(to_latex(t), HasSubstr("\\begin{tabular}{llrrlrr}"));
-  EXPECT_THAT(to_markdown(t), HasSubstr("|---|---|---:|---:|---|---:|---:|"));
+  EXPECT_THAT(to_latex(t), HasSubstr("\\begin{tabular}{llrrrlrr}"));
+  EXPECT_THAT(to_markdown(t), HasSubstr("|---|---|---:|---:|---:|---|---:|---:|"));
 }
 
 TEST(PaperTables, MarkdownByHand) {
