@@ -16,7 +16,7 @@
 namespace swarmfit::cli {
 namespace {
 
-const std::array<Command, 20> kCommands{{
+const std::array<Command, 22> kCommands{{
     {"describe", kDescribe, "what is in a recording and what is wrong with it", describe},
     {"convert", kConvert, "write a recording as CSV, cleaned and with its units", convert},
     {"simulate", kSimulate, "trajectories from a scenario or a model", simulate},
@@ -37,6 +37,8 @@ const std::array<Command, 20> kCommands{{
     {"scenarios", kScenarios, "scenes to simulate: their names, or the file of one", list_scenarios},
     {"gallery", kGallery, "a page with every scenario in motion", gallery},
     {"formats", kFormats, "the file formats that can be read", list_formats},
+    {"manual", kManual, "every command and setting, as a man page or as Markdown", manual},
+    {"completion", kCompletion, "what a shell completes after swarmfit", completion},
 }};
 
 }  // namespace

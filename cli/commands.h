@@ -33,5 +33,7 @@ int gallery(const Arguments&);
 int list_models(const Arguments&);
 int list_scenarios(const Arguments&);
 int list_formats(const Arguments&);
+int manual(const Arguments&);      // every command and setting, as a man page or as Markdown
+int completion(const Arguments&);  // of a shell
 
 }  // namespace swarmfit::cli

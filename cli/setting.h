@@ -28,6 +28,7 @@ inline constexpr Commands kStudies = kRecover | kPower;                        /
 inline constexpr Commands kShared = kComparisons | kResume | kMerge | kSweep;  // what several processes do together
 inline constexpr Commands kSyntheses = kExtend | kAugment;                     // what adds simulated points to a recording
 inline constexpr Commands kAll = (kAugment << 1U) - 1;
+inline constexpr Commands kManual = 1U << 30U, kCompletion = 1U << 31U;  // about the program itself, with no setting in common with kAll
 
 // What was given for the settings of a command, by name and already checked, and what holds where nothing was.
 class Values {

@@ -140,6 +140,18 @@ std::vector<Setting> output_settings() {  // NOLINT(readability-function-size): 
        .help = "the scenario that shows what it is known for, or its own name",
        .allowed = on_or_off(),
        .use = [](Arguments& a, const Value& v) { a.flags = v.on(); }},
+      {.name = "FORMAT",
+       .in = kManual,
+       .help = "man: a page for man; markdown: docs/reference/settings.md",
+       .allowed = one_of({"man", "markdown"}),
+       .required = true,
+       .use = [](Arguments& a, const Value& v) { a.name = v.text(); }},
+      {.name = "SHELL",
+       .in = kCompletion,
+       .help = "whose completion to write: bash, zsh or fish",
+       .allowed = one_of({"bash", "zsh", "fish"}),
+       .required = true,
+       .use = [](Arguments& a, const Value& v) { a.name = v.text(); }},
       {.name = "FILE", .in = kGallery, .help = "page to write, such as gallery.html", .required = true, .use = out},
   };
 }

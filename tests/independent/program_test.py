@@ -4,7 +4,7 @@
 
     python3 program_test.py PROGRAM
 
-What is asserted holds for nearly all data seeds (docs/certainty.md has the table); the seeds here are fixed.
+What is asserted holds for nearly all data seeds (docs/explanation/tests.md has the table); the seeds here are fixed.
 """
 import pathlib
 import sys
