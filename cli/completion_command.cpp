@@ -104,8 +104,9 @@ std::string zsh_text(std::string_view text) {
 
 std::string zsh_setting(const Setting& s, const Command& command) {
   const auto words = values_of(s, command);
-  const std::string action = words.empty() ? "_files" : is_positional(s) ? fmt::format("{{compadd {}; _files}}", fmt::join(words, " "))
-                                                                         : fmt::format("({})", fmt::join(words, " "));
+  const std::string action = words.empty()      ? "_files"
+                             : is_positional(s) ? fmt::format("{{compadd {}; _files}}", fmt::join(words, " "))
+                                                : fmt::format("({})", fmt::join(words, " "));
   if (is_positional(s)) return fmt::format(" \\\n        '*:{}:{}'", s.name, action);
   const std::string value = takes_value(s) ? fmt::format(":{}:{}", s.name, action) : "";
   std::string out;
@@ -118,8 +119,9 @@ std::string zsh() {
       "#compdef swarmfit\n# zsh completion of swarmfit, written by: swarmfit completion zsh\n"
       "_swarmfit() {\n  local -a names=(\n";
   for (const Command& c : commands()) out += fmt::format("    '{}:{}'\n", c.name, zsh_text(c.help));
-  out += "  )\n  if (( CURRENT == 2 )); then\n    _describe command names\n    return\n  fi\n"
-         "  local name=$words[2]\n  words=(\"${(@)words[2,-1]}\")\n  (( CURRENT-- ))\n  case $name in\n";
+  out +=
+      "  )\n  if (( CURRENT == 2 )); then\n    _describe command names\n    return\n  fi\n"
+      "  local name=$words[2]\n  words=(\"${(@)words[2,-1]}\")\n  (( CURRENT-- ))\n  case $name in\n";
   for (const Command& command : commands()) {
     out += fmt::format("    {})\n      _arguments '--help[help]'", command.name);
     bool placed = false;  // one rule serves all that is given by its place

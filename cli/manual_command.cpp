@@ -124,8 +124,7 @@ std::string man() {
       "swarmfit reads tracks of animals, simulates published models under the same conditions, fits the parameters of each model, and\n"
       "ranks the models by how closely their motion matches the recording.\n.SH COMMANDS\n",
       kVersion);
-  for (const Command& c : commands())
-    out += fmt::format(".TP\n\\fB{}\\fR {}\n{}\n", c.name, roff(arguments_of(c)), ended(c.help));
+  for (const Command& c : commands()) out += fmt::format(".TP\n\\fB{}\\fR {}\n{}\n", c.name, roff(arguments_of(c)), ended(c.help));
   out += ".SH SETTINGS\n";
   for (const std::string_view group : groups()) {
     out += fmt::format(".SS {}\n", group.empty() ? kFirstGroup : group);

@@ -35,14 +35,16 @@ TEST_F(Manual, CompletionsNameEveryCommandAndFlag) {
     const auto script = run("completion " + shell);
     ASSERT_EQ(script.code, 0) << shell;
     for (const Command& command : commands()) EXPECT_THAT(script.out, HasSubstr(std::string(command.name))) << shell;
-    for (const Setting& s : settings())
-      if (!is_positional(s)) EXPECT_THAT(script.out, HasSubstr((shell == "fish" ? "-l " : "--") + std::string(s.name))) << shell;
+    for (const Setting& s : settings()) {
+      if (is_positional(s)) continue;
+      EXPECT_THAT(script.out, HasSubstr((shell == "fish" ? "-l " : "--") + std::string(s.name))) << shell;
+    }
   }
 }
 
 TEST_F(Manual, RefusesOtherShellsAndFormats) {
-  expect_refused("completion tcsh", "SHELL: 'tcsh' is not allowed; expected bash, zsh, fish");
-  expect_refused("manual pdf", "FORMAT: 'pdf' is not allowed; expected man or markdown");
+  expect_refused("completion tcsh", "SHELL: 'tcsh' is not known; expected bash, zsh, fish");
+  expect_refused("manual pdf", "FORMAT: 'pdf' is not known; expected man or markdown");
 }
 
 TEST_F(Manual, ModelPagesHoldTheirEquations) {
