@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "fit/results/estimate.h"
+#include "libeval/group/pictures.h"
 #include "libeval/panel.h"
+#include "libeval/timeline.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
@@ -77,6 +79,13 @@ struct PanelFacts {
   std::vector<Estimate> recording_vacf;  // per lag
 };
 
+// What the recording looks like (libeval/group/pictures.h), and on which grid models do as well.
+struct PictureFacts {
+  PictureGrid grid;
+  Pictures recording;
+  Timeline timeline;
+};
+
 // Which frames were fitted, and which held out.
 struct HoldOutFacts {
   bool used = false;
@@ -95,6 +104,7 @@ struct RecordingFacts {
   PerColumn<double> resolution;  // least p2 (fit/compare/facts.h); 0: none, or it cannot be told
   SkillFacts skill;
   PanelFacts panel;
+  PictureFacts pictures;
   HoldOutFacts hold_out;
 };
 
