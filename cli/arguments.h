@@ -23,6 +23,7 @@ struct Common {
   int threads = 0;  // 0: all cores
   bool json = false;
   bool quiet = false;
+  bool verbose = false;
 };
 
 // What simulate is to play: a scenario or a model, and what of it is to be otherwise.

@@ -17,7 +17,7 @@ namespace swarmfit::cli {
 namespace {
 
 const std::array<Command, 22> kCommands{{
-    {"describe", kDescribe, "what is in a recording and what is wrong with it", describe},
+    {"describe", kDescribe, "what a recording contains, and what is wrong with it", describe},
     {"convert", kConvert, "write a recording as CSV, cleaned and with its units", convert},
     {"simulate", kSimulate, "trajectories from a scenario or a model", simulate},
     {"extend", kExtend, "tracks that go on past their ends, and gaps bridged, by a model", extend},
@@ -29,8 +29,8 @@ const std::array<Command, 22> kCommands{{
     {"compare", kCompare, "fit several models and rank them", compare},
     {"resume", kResume, "go on with an interrupted fit, compare, recover, power or sweep; same final bits", resume},
     {"report", kReport, "figures, tables and methods of a run, in the formats of a paper", report},
-    {"recover", kRecover, "recordings made by each model, compared with all: which model wins on whose?", recover},
-    {"power", kPower, "before any ranking: which models could this recording tell apart, and how much more would it take?", power},
+    {"recover", kRecover, "simulate each model and fit all: how often is the true model recovered?", recover},
+    {"power", kPower, "before any ranking: which models can this recording distinguish, and how much more data would it take?", power},
     {"sweep", kSweep, "a model over a range of parameters: phase diagrams, order-parameter curves, hysteresis", sweep},
     {"merge", kMerge, "one study of the parts that recover, power or sweep made with --part", merge},
     {"models", kModels, "the models, their settings and parameters", list_models},
@@ -65,6 +65,7 @@ int resume(const Arguments& a) {
   run_of->common.threads = a.common.threads;
   run_of->common.json = a.common.json;
   run_of->common.quiet = a.common.quiet;
+  run_of->common.verbose = a.common.verbose;
   return run(*run_of);
 }
 

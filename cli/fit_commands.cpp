@@ -83,6 +83,8 @@ Comparison run_one(const Arguments& a, const CompareOptions& options, const Trac
   return result;
 }
 
+Detail detail(const Arguments& a) { return a.common.verbose ? Detail::all : Detail::few; }
+
 void say_where(const Arguments& a, const std::string& dir) {
   if (!a.common.quiet) std::fprintf(stderr, "report: %s\n", (std::filesystem::path(dir) / "report.html").c_str());
 }
@@ -104,7 +106,7 @@ int run_several(const Arguments& a, const CompareOptions& options, const std::st
   std::vector<RecordingPage> pages;
   for (std::size_t k = 0; k < recordings.size(); ++k) {
     results.push_back(run_one(a, options, recordings[k], a.recordings[k], dir + '/' + names[k]));
-    if (!a.common.json) std::printf("%s\n", ranking_text(results.back(), style()).c_str());
+    if (!a.common.json) std::printf("%s\n", ranking_text(results.back(), style(), detail(a)).c_str());
     pages.push_back({names[k], headline(results.back()).sentence});
     results.back().run.history.clear();  // written, and long; films likewise
     results.back().film = {};
@@ -127,7 +129,7 @@ int run_fit(const Arguments& a) {
     if (a.recordings.size() > 1) return run_several(a, options, dir);
     const Comparison result = run_one(a, options, load(a, a.recordings.front()), a.recordings.front(), dir);
     remove_checkpoint(dir);
-    std::fputs(a.common.json ? to_json(result).c_str() : ranking_text(result, style()).c_str(), stdout);
+    std::fputs(a.common.json ? to_json(result).c_str() : ranking_text(result, style(), detail(a)).c_str(), stdout);
     say_where(a, dir);
     return 0;
   } catch (const Interrupted&) {

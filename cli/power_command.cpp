@@ -34,7 +34,7 @@ int power(const Arguments& a) {
   try {
     StudyProgress progress(a.common.quiet, 1 + options.compare.models.size() * static_cast<std::size_t>(a.seeds));
     const auto on_power = [&](std::size_t done, std::size_t) {
-      if (done > 0) progress.done(done == 1 ? "models fitted to the recording" : "a planted recording compared");
+      if (done > 0) progress.done(done == 1 ? "models fitted to the recording" : "a simulated recording compared");
     };
     const auto on_progress = [&](const CompareProgress& now) { progress.show(now); };
     result = swarmfit::power(recording, options, on_power, {on_progress, {&executor(), &checkpoint}, a.part});

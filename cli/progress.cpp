@@ -2,6 +2,7 @@
 #include "cli/progress.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -12,6 +13,16 @@ namespace {
 constexpr auto kRefresh = std::chrono::milliseconds(200);
 
 std::string of_part(const CompareProgress& now) { return now.part.empty() ? "" : now.part + ", "; }
+// A longer line would wrap, and what wrapped stays when the line is written anew.
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - 1u : 79u;
+}
+
+std::string cut_to(std::size_t width, std::string text) {
+  if (text.size() > width) text.resize(width);
+  return text;
+}
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
@@ -35,8 +46,8 @@ void ProgressLine::wipe() {
 std::string ProgressLine::text(const CompareProgress& now) const {
   const double rate = static_cast<double>(now.simulations) / std::max(1e-9, seconds(std::chrono::steady_clock::now() - start_));
   const double left = static_cast<double>(std::max<std::int64_t>(0, now.planned - now.simulations)) / rate;
-  return fmt::format("{}pass {}/{}  {} ({} of {})  {}/{} simulations, {:.0f}/s, at most {:.0f} s left for it  best {:.4f}",
-                     of_part(now), now.pass, now.passes, now.model, now.index + 1, now.models, now.simulations, now.planned, rate, left, now.best);
+  return fmt::format("{}pass {}/{}  {} ({} of {})  {}/{} simulations, {:.0f}/s, at most {:.0f} s left  best {:.4f}", of_part(now), now.pass,
+                     now.passes, now.model, now.index + 1, now.models, now.simulations, now.planned, rate, left, now.best);
 }
 
 void ProgressLine::show(const CompareProgress& now, const std::string& before) {
@@ -51,7 +62,7 @@ void ProgressLine::show(const CompareProgress& now, const std::string& before) {
   last_in_phase_ = time;
   if (!terminal_ || time - last_ < kRefresh) return;
   last_ = time;
-  std::fprintf(stderr, "\r\033[K%s%s", before.c_str(), text(now).c_str());
+  std::fprintf(stderr, "\r\033[K%s", cut_to(terminal_width(), before + text(now)).c_str());
   std::fflush(stderr);
 }
 

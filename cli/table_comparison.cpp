@@ -24,7 +24,7 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
       {.name = "protocol",
        .in = kComparisons,
        .help = "default, or ren2016, the paper's literal choices (docs/ren2016.md): its five models, noises and parameters, the genetic "
-               "algorithm alone, z-scores of each set by itself, no localisation error or rounding, the fewest steps, lag 1; flags given "
+               "algorithm alone, z-scores of each set by itself, no measurement error or rounding, the fewest steps, lag 1; flags given "
                "beside it win",
        .allowed = one_of({"default", "ren2016"}),
        .initial = "default",
@@ -64,8 +64,8 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
        .use = [](Arguments& a, const Value& v) { a.compare.requests.published = v.text() == "published"; }},
       {.name = "parameters",
        .in = kRecover,
-       .help = "of one model: do the 95 % intervals of its parameters hold the true values? These are drawn from the whole range that is "
-               "searched",
+       .help = "of one model: how often do the 95 % intervals of its parameters contain the true values? These are drawn from the whole "
+               "range of the search",
        .allowed = on_or_off(),
        .use = [](Arguments& a, const Value& v) { a.parameters = v.on(); }},
       {.name = "max-evaluations",
@@ -111,7 +111,7 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
   return {
       {.name = "presence",
        .in = kFits,
-       .help = "who is there when: recorded, or constant (everybody of the first frame, throughout)",
+       .help = "which individuals are present when: recorded, or constant (all of the first frame, throughout)",
        .allowed = one_of({"recorded", "constant"}),
        .initial = "recorded",
        .group = kConditions,
@@ -128,15 +128,14 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
        .use = [](Arguments& a, const Value& v) { a.compare.conditions.arena = v.text(); }},
       {.name = "population",
        .in = kFits,
-       .help = "how many individuals there were, where only part of the group was tracked: the rest is simulated unseen",
+       .help = "number of individuals, where only part of the group was tracked: the others are simulated, but not observed",
        .allowed = whole(1, kMostIndividuals),
        .group = kConditions,
        .use = [](Arguments& a, const Value& v) { a.compare.conditions.population = v.whole<int>(); }},
       {.name = "entry",
        .in = kComparisons,
-       .help =
-           "how fast individuals enter simulations: estimated (default), as surely as the recording tells, or difference, that of their "
-           "first two positions",
+       .help = "velocity with which individuals enter simulations: estimated (default) from their first frames, or difference of their "
+               "first two positions",
        .allowed = one_of({"estimated", "difference"}),
        .initial = "estimated",
        .ren2016 = "difference",
@@ -172,8 +171,7 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
        .use = [](Arguments& a, const Value& v) { a.compare.searches = v.whole<int>(); }},
       {.name = "posterior",
        .in = kFits,
-       .help = "beside the best parameters, their posterior distribution: 95 % intervals, which parameters the recording determines at "
-               "all, and a sample of it",
+       .help = "also the posterior of the parameters: 95 % intervals, which parameters the recording determines, and a sample",
        .allowed = on_or_off(),
        .use = [](Arguments& a, const Value& v) { a.compare.posterior = v.on(); }},
       {.name = "likelihood",
@@ -183,7 +181,7 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
        .use = [](Arguments& a, const Value& v) { a.compare.likelihood = v.on(); }},
       {.name = "obs-noise",
        .in = kComparisons,
-       .help = "localisation error put on simulated positions: estimate (default), or a value in length units",
+       .help = "measurement error put on simulated positions: estimate (default), or a value in length units",
        .initial = "estimate",
        .ren2016 = "0",
        .group = kConditions,
@@ -195,8 +193,8 @@ std::vector<Setting> scoring() {  // NOLINT(readability-function-size): a table
   return {
       {.name = "error-limit",
        .in = kFits,
-       .help = "of a metric with a larger share of localisation error, differences that as much error again would make do not count in "
-               "full (default 0.5)",
+       .help = "share of measurement error beyond which a metric counts only where models differ by more than that error could cause "
+               "(default 0.5)",
        .allowed = number(0, 1),
        .initial = "0.5",
        .ren2016 = "1",
@@ -204,8 +202,7 @@ std::vector<Setting> scoring() {  // NOLINT(readability-function-size): a table
        .use = [](Arguments& a, const Value& v) { a.compare.error_limit = v.number(); }},
       {.name = "resolution",
        .in = kComparisons,
-       .help = "recording (default): differences between models below what the recording can tell do not count in full; none: they do, "
-               "as published",
+       .help = "recording (default): model differences within sampling noise are down-weighted; none: they count in full, as published",
        .allowed = one_of({"recording", "none"}),
        .initial = "recording",
        .ren2016 = "none",
@@ -245,7 +242,7 @@ std::vector<Setting> scoring() {  // NOLINT(readability-function-size): a table
        .use = [](Arguments& a, const Value& v) { a.compare.conditions.steps = parse_steps(v.text()); }},
       {.name = "smooth",
        .in = kFits,
-       .help = "smooth recording and simulations alike, Gaussian, standard deviation in frames",
+       .help = "smooth recording and simulations in the same way, Gaussian, standard deviation in frames",
        .allowed = number(0, kStrongestSmoothing),
        .group = kConditions,
        .use = [](Arguments& a, const Value& v) { a.compare.conditions.smoothing = v.number(); }},
@@ -266,7 +263,7 @@ std::vector<Setting> scoring() {  // NOLINT(readability-function-size): a table
            }},
       {.name = "normalisation",
        .in = kFits | kEvaluate,
-       .help = "whose mean and deviation standardise the metrics: reference (default), separate or none",
+       .help = "mean and deviation that standardise the metrics: reference (default), separate or none",
        .allowed = one_of({"reference", "separate", "none"}),
        .initial = "reference",
        .ren2016 = "separate",
@@ -287,12 +284,12 @@ std::vector<Setting> comparison_settings() {
   for (const auto& part : {conditions(), scoring()}) all.insert(all.end(), part.begin(), part.end());
   all.push_back({.name = "set",
                  .in = kRecover,
-                 .help = "model.parameter=value, of the planted models, in physical units",
+                 .help = "model.parameter=value, of the true models, in physical units",
                  .allowed = texts(),
                  .use = [](Arguments& a, const Value& v) { a.recovery.set = parse_planted(v.words); }});
   all.push_back({.name = "seeds",
                  .in = kPower,
-                 .help = "recordings made by each model, 2 or more",
+                 .help = "recordings simulated from each model, 2 or more",
                  .allowed = whole(2, kMostRecordings),
                  .initial = "3",
                  .use = [](Arguments& a, const Value& v) { a.seeds = v.whole<int>(); }});

@@ -276,7 +276,7 @@ const std::vector<Behaviour>& table() {
       {"progress", "way of the group's centre in the direction `along`", {"along"}, {}, progress},
       {"trespass", "positions inside an obstacle or beyond the bounds, of all agents at all frames", {}, {}, trespass},
       {"stimulus_distance", "median distance to the nearest stimulus, mean over the times", {}, {}, stimulus_distance},
-      {"nearest_to_stimulus", "least distance that anybody has from a stimulus at any of the times", {}, {}, nearest_to_stimulus},
+      {"nearest_to_stimulus", "least distance of any agent from a stimulus at any of the times", {}, {}, nearest_to_stimulus},
       {"met", "share of all agents that were within `radius` of a stimulus at any of the times", {"radius"}, {}, met},
       {"arrived", "share of all agents that were between `lower` and `upper` at any of the times", {"lower", "upper"}, {}, arrived},
       {"present", "share of agents between `lower` and `upper`, mean over the times", {"lower", "upper"}, {}, present},

@@ -10,8 +10,8 @@ const std::array<MetricInfo, kMetrics> kMetricInfo = {{
     {"a", "a", "acceleration", 1, -2},
     {"omega", "ω", "angular velocity", 0, -1},
     {"alpha", "α", "angular acceleration", 0, -2},
-    {"mu", "μ", "Cartesian jerk", 1, -3},
-    {"d", "d", "shortest distance", 1, 0},
+    {"mu", "μ", "jerk", 1, -3},
+    {"d", "d", "nearest-neighbour distance", 1, 0},
     {"eta", "η", "velocity difference", 0, -1},
 }};
 

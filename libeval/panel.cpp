@@ -251,7 +251,7 @@ std::vector<PanelItem> PanelPlan::items() const {
   if (!msd_lags.empty()) {
     const double seconds = static_cast<double>(msd_lags.back()) * dt;
     out.push_back(
-        {fmt::format("group_msd_{:.3g}s", seconds), fmt::format("the same of the group as a whole after {:.3g} s", seconds), 2, 0});
+        {fmt::format("group_msd_{:.3g}s", seconds), fmt::format("mean squared displacement of the group after {:.3g} s", seconds), 2, 0});
   }
   for (int k = 0; k < dims; ++k) out.push_back({fmt::format("k_{}", axes[k]), fmt::format("restoring slope along {}", axes[k]), 0, -2});
   out.push_back({"polarisation", "polarisation", 0, 0});

@@ -76,7 +76,7 @@ Found double_detections(const Tracks& tracks) {
     if (nearest.distance[static_cast<std::size_t>(row)] < kCoincident && nearest.row[static_cast<std::size_t>(row)] > row) places.add(row);
   if (places.count() == 0) return {};
   return Suspicion{"double detection",
-                   fmt::format("{} in exactly the same place; remove doubled tracks, they make the shortest distance 0.",
+                   fmt::format("{} in exactly the same place; remove doubled tracks, they make the nearest-neighbour distance 0.",
                                counted(places.count(), "pair")),
                    places.text()};
 }
@@ -159,18 +159,19 @@ Found measurement_error(const Tracks& tracks, const Summary& s) {
       "measurement error",
       fmt::format("{} of {} explains {} of the squared median acceleration and {} of the squared median jerk: these mostly measure "
                   "the {}; simulate the error too (--obs-noise estimate) or compare at longer time steps.",
-                  l.rounding ? "Rounding of the positions" : "A localisation error", sigma_text(tracks, l), percent(l.acceleration_share),
+                  l.rounding ? "Rounding of the positions" : "A measurement error", sigma_text(tracks, l), percent(l.acceleration_share),
                   percent(l.jerk_share), l.rounding ? "file's last digit" : "camera"),
       ""};
 }
 
-Found smoothed(const Summary& s) {
+// Simulated motion is exact, and known to be.
+Found smoothed(const Tracks& tracks, const Summary& s) {
   const Localisation& l = s.localisation;
-  if (l.samples == 0 || l.white) return {};
+  if (l.samples == 0 || l.white || tracks.meta().from.format == "simulated") return {};
   return Suspicion{
       "smoothed positions",
       "Differences of rising order do not level off as with the independent errors of a camera: positions were smoothed, interpolated or "
-      "simulated, or the motion is this rough; if they were smoothed, smooth simulations alike before comparing.",
+      "simulated, or the motion is this rough; if they were smoothed, smooth simulations in the same way before comparing.",
       ""};
 }
 
@@ -199,9 +200,9 @@ Found few_individuals(const Summary& s) {
 std::vector<Suspicion> suspicions(const Tracks& tracks, const Summary& s) {
   const auto events = identity_events(tracks);
   std::vector<Suspicion> out;
-  for (Found& found :
-       std::array<Found, 10>{swaps(tracks, events), jumps(tracks, s, events), double_detections(tracks), frozen(tracks, s), unit(tracks),
-                             constant_columns(tracks), measurement_error(tracks, s), smoothed(s), short_segments(s), few_individuals(s)})
+  for (Found& found : std::array<Found, 10>{swaps(tracks, events), jumps(tracks, s, events), double_detections(tracks), frozen(tracks, s),
+                                            unit(tracks), constant_columns(tracks), measurement_error(tracks, s), smoothed(tracks, s),
+                                            short_segments(s), few_individuals(s)})
     if (found) out.push_back(std::move(*found));
   return out;
 }

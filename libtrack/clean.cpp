@@ -194,7 +194,7 @@ Tracks only(const Tracks& tracks, const std::vector<std::string>& names) {
     const auto hit = std::find(all.begin(), all.end(), name);
     constexpr std::size_t most = 20;
     if (hit == all.end())
-      throw InputError(fmt::format("`tracks`: nobody in {} is called '{}'; expected some of {}{}", tracks.meta().from.path, name,
+      throw InputError(fmt::format("`tracks`: no individual in {} is called '{}'; expected some of {}{}", tracks.meta().from.path, name,
                                    fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(most, all.size())), ", "),
                                    all.size() > most ? fmt::format(", ... ({} in all)", all.size()) : ""));
     wanted[static_cast<std::size_t>(hit - all.begin())] = true;
@@ -209,7 +209,7 @@ Tracks longer_than(const Tracks& tracks, std::int64_t rows) {
   std::size_t longest = 0;
   for (std::uint32_t t = 0; t < tracks.track_count(); ++t) longest = std::max(longest, tracks.rows_of(t).size());
   if (longest <= static_cast<std::size_t>(rows))
-    throw InputError(fmt::format("`longer-than` {}: nobody in {} is seen in more than {} frames; expected fewer", rows,
+    throw InputError(fmt::format("`longer-than` {}: no individual in {} is seen in more than {} frames; expected fewer", rows,
                                  tracks.meta().from.path, longest));
   TrackColumns c = rows_that(tracks, [&](Index row) {
     return tracks.rows_of(tracks.track()[static_cast<std::size_t>(row)]).size() > static_cast<std::size_t>(rows);

@@ -66,8 +66,8 @@ std::uint8_t kind_named(const Tracks& tracks, const std::string& name) {
     if (name == own || name == number) return kind;
     legal.push_back(own == number ? number : fmt::format("{} ({})", own, number));
   }
-  throw InputError(
-      fmt::format("`kind` {}: nobody in {} is of that kind; expected one of {}", name, tracks.meta().from.path, fmt::join(legal, ", ")));
+  throw InputError(fmt::format("`kind` {}: no individual in {} is of that kind; expected one of {}", name, tracks.meta().from.path,
+                               fmt::join(legal, ", ")));
 }
 
 }  // namespace swarmfit

@@ -49,8 +49,7 @@ CompareOptions with_common_dynamics(const Tracks& recording, const CompareOption
   if (common.common.empty()) throw InputError("`common`: the models share no parameter that is searched; expected at least one");
   for (const ModelChoice& model : options.models)
     if (searched_parameters(model, scales, options.requests).size() == common.common.size())
-      throw InputError(
-          fmt::format("`common`: {} has no parameter of its own to be told apart by; expected one that is searched", model.name));
+      throw InputError(fmt::format("`common`: {} has no searched parameter of its own; expected at least one", model.name));
   CompareOptions alone = common;
   alone.hold_out = CompareOptions::HoldOutWhen::never;
   alone.common.clear();

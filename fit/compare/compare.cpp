@@ -29,12 +29,14 @@ struct View {
   Judged judged;
   Scales scales;
   FilmStrip film;
+  Pictures pictures;
 };
-auto fields(View& v) { return std::tie(v.judged, v.scales, v.film); }
+auto fields(View& v) { return std::tie(v.judged, v.scales, v.film, v.pictures); }
 
 // What a model looks like, from what was seen of its final replicates.
 void add_likeness(ModelFit& fit, const std::vector<std::string>& views, const Judge& judge, const Tracks& recording) {
   std::vector<Judged> judged;
+  std::vector<Pictures> seen;
   Scales scales;
   for (const std::string& bytes : views) {
     View view = from_bytes<View>(bytes);
@@ -43,8 +45,10 @@ void add_likeness(ModelFit& fit, const std::vector<std::string>& views, const Ju
       scales = view.scales;
     }
     judged.push_back(std::move(view.judged));
+    seen.push_back(std::move(view.pictures));
   }
   fit.likeness = judge.likeness(judged);
+  fit.likeness.pictures = picture_spread(seen);
   fit.likeness.extent = scales.extent;
   fit.likeness.spacing = scales.spacing;
   fit.likeness.speed = scales.speed;
@@ -157,9 +161,12 @@ Comparison compare(const Tracks& recording, const CompareOptions& wanted, const 
   const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);
   result.film = cut(conditions.recording, span.first, span.last);
 
+  const PictureGrid grid = picture_grid(conditions.recording);
+  result.recording.pictures = {grid, pictures(conditions.recording, grid), timeline(conditions.recording)};
   std::optional<Judge> judge;
   const auto view = [&](const Run& run, std::size_t k) {
-    return to_bytes(View{judge->look(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{}});
+    return to_bytes(View{judge->look(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{},
+                         pictures(run.seen, grid)});
   };
   const std::vector<bool> used(observation.used.begin(), observation.used.end());
   Calibration calibration(options, conditions, target, used, result.run.history, on_progress, runtime, view);
@@ -202,6 +209,8 @@ Comparison compare(const Tracks& recording, const CompareOptions& wanted, const 
   describe_ranking(result, trial);
   for (const auto& warnings : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result), warnings_of_learning(result)})
     result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+  std::stable_sort(result.warnings.begin(), result.warnings.end(),
+                   [](const Warning& a, const Warning& b) { return a.gravity < b.gravity; });
   return result;
 }
 

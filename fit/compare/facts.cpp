@@ -24,23 +24,23 @@ std::string name_of(ConditionOptions::Error e) {
 }
 
 template <class... Args>
-void warn(std::vector<std::string>& out, fmt::format_string<Args...> text, Args&&... args) {
-  out.push_back(fmt::format(text, std::forward<Args>(args)...));
+void warn(std::vector<Warning>& out, Gravity gravity, fmt::format_string<Args...> text, Args&&... args) {
+  out.emplace_back(gravity, fmt::format(text, std::forward<Args>(args)...));
 }
 
-void warn_of_data(const Comparison& r, std::vector<std::string>& out) {
+void warn_of_data(const Comparison& r, std::vector<Warning>& out) {
   if (r.recording.data.individuals_per_frame < kFewIndividuals)
-    warn(out, "Only {:.1f} individuals per frame: neighbour distances of so small a group say little about interaction.",
+    warn(out, Gravity::meaning, "Only {:.1f} individuals per frame: neighbour distances in so small a group say little about interaction.",
          r.recording.data.individuals_per_frame);
   if (!r.recording.observation.white && r.recording.observation.error_source == "estimate")
     warn(
-        out,
-        "The localisation error cannot be told from the motion (it is not independent from frame to frame: the positions were smoothed, or "
-        "the motion is rough), so simulations carry none; where it is known, give it with --obs-noise.");
+        out, Gravity::meaning,
+        "Measurement error could not be estimated separately from motion: it is not independent from frame to frame, because the positions "
+        "were smoothed or the motion is rough. Simulations carry none; if you know the error, give it with --obs-noise.");
 }
 
 // Is the longest lag still too short?
-void warn_of_lags(const Comparison& r, std::vector<std::string>& out) {
+void warn_of_lags(const Comparison& r, std::vector<Warning>& out) {
   const int lag = lags_of(r.recording.columns).back();
   std::vector<std::string> drowned;
   for (std::size_t j = 0; j < r.recording.columns.size(); ++j)
@@ -49,14 +49,14 @@ void warn_of_lags(const Comparison& r, std::vector<std::string>& out) {
       drowned.push_back(r.recording.columns[j].key());
   if (drowned.empty()) return;
   const bool longer = lag < r.recording.observation.longest_lag;
-  warn(out, "{} {} mostly localisation error even at the longest lag ({}); {}.", fmt::join(drowned, ", "),
+  warn(out, Gravity::meaning, "{} {} mostly measurement error even at the longest lag ({}); {}.", fmt::join(drowned, ", "),
        drowned.size() > 1 ? "are" : "is", lag,
-       longer ? fmt::format("a longer one, up to {}, may show motion: --lags", r.recording.observation.longest_lag)
-              : "the tracks are too short for a longer one");
+       longer ? fmt::format("a longer lag, up to {}, may show motion: --lags", r.recording.observation.longest_lag)
+              : "the tracks are too short for a longer lag");
 }
 
 // Names the column that changes most.
-void warn_of_step(const ModelFit& m, const Comparison& r, std::vector<std::string>& out) {
+void warn_of_step(const ModelFit& m, const Comparison& r, std::vector<Warning>& out) {
   if (m.runs.steps_settled) return;
   const auto change = [&](std::size_t j) {
     return r.recording.defined[j] ? std::abs(m.runs.half_step_energies[j] - m.runs.raw_energies[j]) : 0;
@@ -64,28 +64,31 @@ void warn_of_step(const ModelFit& m, const Comparison& r, std::vector<std::strin
   std::size_t most = 0;
   for (std::size_t j = 1; j < r.recording.columns.size(); ++j)
     if (change(j) > change(most)) most = j;
-  warn(out,
-       "{}: integration has not converged with {} steps per frame. Halving the step changes its energy in {} from {:.3g} to {:.3g}, "
-       "so its parameters and its rank belong to the step; --steps sets more.",
+  warn(out, Gravity::result,
+       "{}: integration has not converged with {} steps per frame. Halving the time step changes the energy of {} ({:.3g} → {:.3g}), so "
+       "parameters and rank depend on the step; --steps sets more.",
        m.model, m.runs.steps, r.recording.columns[most].symbol(), m.runs.raw_energies[most], m.runs.half_step_energies[most]);
 }
 
-void warn_of_fit(const ModelFit& m, const Comparison& r, std::vector<std::string>& out) {
+void warn_of_fit(const ModelFit& m, const Comparison& r, std::vector<Warning>& out) {
   std::vector<std::string> bounds;
   for (const auto& p : m.parameters)
     if (p.at_bound) bounds.push_back(p.name);
   if (!bounds.empty())
-    warn(out, "{}: {} ended on a bound, so its rank is conditional on the bounds; widen with --bounds.", m.model, fmt::join(bounds, ", "));
+    warn(out, Gravity::result, "{}: {} ended on a bound of the search; widening the bounds (--bounds) might change its rank.", m.model,
+         fmt::join(bounds, ", "));
   for (const auto& p : m.parameters)
-    if (!p.at_lower.empty()) warn(out, "{}: {} ended on its lower bound: {}.", m.model, p.name, p.at_lower);
+    if (!p.at_lower.empty()) warn(out, Gravity::note, "{}: {} ended on its lower bound: {}.", m.model, p.name, p.at_lower);
   for (const std::size_t j : {kSpeed, kDistance})
     if (const double ratio = m.runs.mean_ratio[j]; std::isfinite(ratio) && (ratio > kScaleOff || ratio < 1 / kScaleOff))
-      warn(out, "{}: wrong in scale, its mean {} is {:.2g} times the recorded one, whatever its score.", m.model,
-           r.recording.columns[j].name(), ratio);
+      warn(out, Gravity::result, "{}: wrong scale: the mean {} is {:.2g} times the recorded one.", m.model, r.recording.columns[j].name(),
+           ratio);
   if (m.runs.failed_final > 0)
-    warn(out, "{}: {:.0f} % of the final simulations blew up and count with the worst energy.", m.model, 100 * m.runs.failed_final);
+    warn(out, Gravity::result, "{}: {:.0f} % of the final simulations diverged and count with the worst energy.", m.model,
+         100 * m.runs.failed_final);
   if (m.runs.infeasible_avoidance > kInfeasible)
-    warn(out, "{}: no collision-free velocity existed in {:.0f} % of all agent-steps.", m.model, 100 * m.runs.infeasible_avoidance);
+    warn(out, Gravity::meaning, "{}: no collision-free velocity existed in {:.0f} % of all agent-steps.", m.model,
+         100 * m.runs.infeasible_avoidance);
   warn_of_step(m, r, out);
 }
 
@@ -102,26 +105,27 @@ bool is_part(const ModelFit& part, const ModelFit& whole) {
                      [&](const auto& p) { return p.fitted && p.lower == 0 && !searched(part, p.name); });
 }
 
-void warn_of_parts(const ModelFit& whole, const Comparison& r, std::vector<std::string>& out) {
+void warn_of_parts(const ModelFit& whole, const Comparison& r, std::vector<Warning>& out) {
   for (const ModelFit& part : r.models)
     if (is_part(part, whole) &&
         part.standing.in_sample.score - whole.standing.in_sample.score >
-                                       kStandardErrors * std::hypot(part.standing.in_sample.score_se, whole.standing.in_sample.score_se))
-      warn(out, "{} is worse than its own part {}, so its search was not finished; a larger --budget may move its rank.", whole.model,
-           part.model);
+            kStandardErrors * std::hypot(part.standing.in_sample.score_se, whole.standing.in_sample.score_se))
+      warn(out, Gravity::result,
+           "{} contains {} as a special case, but scores lower: its search is incomplete, and a larger --budget may change its rank.",
+           whole.model, part.model);
 }
 
 // The search sees histograms, the posterior means and correlations besides: where they disagree, no parameters are right for both.
-void warn_of_posterior(const ModelFit& fit, std::vector<std::string>& out) {
+void warn_of_posterior(const ModelFit& fit, std::vector<Warning>& out) {
   std::vector<std::string> apart;
   for (const ParameterResult& p : fit.parameters)
     if (p.value < p.posterior.lower || p.value > p.posterior.upper) apart.push_back(p.name);
   if (!apart.empty())
-    warn(
-        out,
-        "{}: the best {} lies outside its 95 % interval. Distributions and correlations ask for different values, so the model is wrong in "
-        "something, or the search was not finished; trust neither value.",
-        fit.model, fmt::join(apart, ", "));
+    warn(out, Gravity::meaning,
+         "{}: the best {} {} outside {} 95 % interval{}. No single value fits both distributions and correlations; the model may "
+         "be wrong or the search incomplete. Do not report either.",
+         fit.model, fmt::join(apart, ", "), apart.size() > 1 ? "lie" : "lies", apart.size() > 1 ? "their" : "its",
+         apart.size() > 1 ? "s" : "");
 }
 
 }  // namespace
@@ -236,26 +240,27 @@ std::vector<LagFacts> lag_facts(const RecordingFacts& r, const PerColumn<double>
   return out;
 }
 
-std::vector<std::string> warnings_for(const Comparison& r) {
-  std::vector<std::string> out;
+std::vector<Warning> warnings_for(const Comparison& r) {
+  std::vector<Warning> out;
   if (!r.run.common.empty())
-    warn(out, "{} were fitted with {} alone and kept for all models: with dynamics of their own the others might do better.",
+    warn(out, Gravity::meaning,
+         "{} were fitted with {} alone and kept for all models; the others might score higher with dynamics of their own.",
          fmt::join(r.run.common, ", "), r.run.named.front());
-  if (r.recording.data.synthetic) warn(out, "This recording is synthetic: it was made by a simulator.");
+  if (r.recording.data.synthetic) warn(out, Gravity::note, "This recording is synthetic: a simulator made it.");
   warn_of_data(r, out);
   warn_of_lags(r, out);
   if (r.models.size() == 2)
-    warn(out,
-         "With two models the entropy weights only count which model is nearer in each metric; read the raw energies beside the score.");
-  std::vector<std::string> alike;
+    warn(out, Gravity::meaning,
+         "With two models the entropy weights only count which model is closer in each metric; read the raw energies beside the score.");
+  std::vector<std::string> within;
   for (std::size_t j = 0; j < r.recording.columns.size(); ++j)
     if (r.models.size() > 1 && r.ranking.weights[j] > 0 && r.recording.resolution[j] > 0 && r.ranking.p2[j] <= r.recording.resolution[j])
-      alike.push_back(r.recording.columns[j].key());
-  if (!alike.empty())
-    warn(out, "In {} no two models differ by more than the recording's own scatter; such differences count for less.",
-         fmt::join(alike, ", "));
+      within.push_back(fmt::format("{} ({})", r.recording.columns[j].name(), r.recording.columns[j].symbol()));
+  if (!within.empty())
+    warn(out, Gravity::note, "Model differences in {} are within sampling noise and were down-weighted.", fmt::join(within, ", "));
   if (r.models.size() > 1 && !r.ranking.weights_converged)
-    warn(out, "The weights had not settled after {} passes (last change {:.3f}); a larger --budget may move the scores.",
+    warn(out, Gravity::result,
+         "The weights had not converged after {} passes (last change {:.3f}); a larger --budget may change the scores.",
          r.ranking.weight_history.size(), r.ranking.weight_history.back().largest_change);
   for (const auto& model : r.models) {
     warn_of_fit(model, r, out);

@@ -32,6 +32,6 @@ RecordingFacts recording_facts(const Tracks& recording, const Conditions& condit
 std::vector<LagFacts> lag_facts(const RecordingFacts& recording, const PerColumn<double>& weights);
 
 // One sentence each, in order of weight, from a finished result.
-std::vector<std::string> warnings_for(const Comparison& result);
+std::vector<Warning> warnings_for(const Comparison& result);
 
 }  // namespace swarmfit

@@ -14,7 +14,7 @@ namespace swarmfit {
 namespace {
 
 void require_somebody(const Tracks& tracks) {
-  if (tracks.rows() == 0) throw InputError(tracks.meta().from.path + ": nobody to show; expected at least one individual");
+  if (tracks.rows() == 0) throw InputError(tracks.meta().from.path + ": no individuals to show; expected at least one");
 }
 
 // Nothing is left out, nothing is known to be drowned.
@@ -63,6 +63,8 @@ Comparison portrait(const Tracks& tracks) {
   c.recording = measured_facts(Target(metric_samples(tracks), Binning{}));
   c.recording.data = data_facts(tracks, natural_scales(tracks));
   c.recording.observation = plain_observation(c.recording);
+  const PictureGrid grid = picture_grid(tracks);
+  c.recording.pictures = {grid, pictures(tracks, grid), timeline(tracks)};
   const FilmSpan span = film_span(tracks, 1);
   c.film = cut(tracks, span.first, span.last);
   return c;

@@ -101,15 +101,16 @@ std::vector<Refutation> refutations(const PanelPlan& plan, const PanelEstimate& 
   return out;
 }
 
-std::vector<std::string> warnings_of_facts(const Comparison& r) {
-  std::vector<std::string> out;
+std::vector<Warning> warnings_of_facts(const Comparison& r) {
+  std::vector<Warning> out;
   for (const ModelFit& m : r.models) {
     if ((m.standing.rank != 1 && m.standing.certainty.group != 1) || m.likeness.refuted_by.empty()) continue;
     std::vector<std::string> facts;
     for (const Refutation& f : m.likeness.refuted_by) facts.push_back(sentence(f, r));
-    out.push_back(fmt::format(
-        "{} as fitted is refuted by what anybody sees: {} (±: scatter of single simulations, and the recording's standard error).", m.model,
-        fmt::join(facts, "; ")));
+    out.emplace_back(
+        Gravity::result,
+        fmt::format("Simple observables contradict {} as fitted: {} (± scatter of single simulations; ± standard error of the recording).",
+                    m.model, fmt::join(facts, "; ")));
   }
   return out;
 }

@@ -23,6 +23,6 @@ namespace swarmfit {
 std::vector<Refutation> refutations(const PanelPlan& plan, const PanelEstimate& recording, const std::vector<Panel>& runs);
 
 // One sentence for each model that is first or of the first group and is refuted, from a finished result.
-std::vector<std::string> warnings_of_facts(const Comparison& result);
+std::vector<Warning> warnings_of_facts(const Comparison& result);
 
 }  // namespace swarmfit

@@ -14,8 +14,8 @@ constexpr double kStandardErrors = 2;
 constexpr double kRepeats = 0.5;  // of the distance of new motion from that which is known
 
 template <class... Args>
-void warn(std::vector<std::string>& out, fmt::format_string<Args...> text, Args&&... args) {
-  out.push_back(fmt::format(text, std::forward<Args>(args)...));
+void warn(std::vector<Warning>& out, Gravity gravity, fmt::format_string<Args...> text, Args&&... args) {
+  out.emplace_back(gravity, fmt::format(text, std::forward<Args>(args)...));
 }
 
 // Models by skill, those without one last.
@@ -30,51 +30,50 @@ std::vector<const ModelFit*> by_skill(const Comparison& r) {
 bool no_interaction(const SkillFacts& s) { return s.interaction_p[0] > kAlpha && s.interaction_p[1] > kAlpha; }
 
 // The random walk as an answer: what the recording shows at all.
-void warn_of_walk(const Comparison& r, std::vector<std::string>& out) {
+void warn_of_walk(const Comparison& r, std::vector<Warning>& out) {
   const SkillFacts& s = r.recording.skill;
   if (s.memory_p > kAlpha)
-    warn(
-        out,
-        "No detectable memory of direction: the recording is like random walks made of its own steps (p = {:.2f} among {}), so the ranking "
-        "says little of how the animals steer.",
-        s.memory_p, s.surrogates);
+    warn(out, Gravity::result,
+         "No detectable memory of direction: the recording cannot be distinguished from random walks of its own steps (p = {:.2f}, {} "
+         "walks), "
+         "so the ranking says little about how the animals steer.",
+         s.memory_p, s.surrogates);
   else if (r.ranking.walk_suffices)
-    warn(out, "No model is closer to the recording than a random walk made of its own steps (skill {:.2f}; {}, the best, {:.2f} ± {:.2f}).",
+    warn(out, Gravity::result,
+         "No model is closer to the recording than a random walk of its own steps (skill {:.2f}; {}, the best, {:.2f} ± {:.2f}).",
          s.walker.value, by_skill(r).front()->model, by_skill(r).front()->likeness.skill.value, by_skill(r).front()->likeness.skill.se);
   if (s.null_of == SkillNull::places)
-    warn(out,
-         "A random walk made of the recording's own steps is as close to it as two halves of it are to each other, so skill is measured "
-         "from "
-         "a coarser null: 0 is no closer than its own places in random order.");
+    warn(out, Gravity::note,
+         "A random walk of the recording's own steps is as close to it as its two halves are to each other, so skill uses a coarser zero: "
+         "its own positions in random order.");
 }
 
 // Rejected, and yet as close as can be?
-void warn_of_rejected(const Comparison& r, std::vector<std::string>& out) {
+void warn_of_rejected(const Comparison& r, std::vector<Warning>& out) {
   const ModelFit& first = r.models.front();
   const SkillFacts& s = r.recording.skill;
   const double floor_error = s.mean_floor_sd / (s.mean_null - s.mean_floor);
   if (!(first.standing.certainty.goodness_p <= kAlpha) ||
       !(first.likeness.skill.value >= 1 - std::hypot(kStandardErrors * first.likeness.skill.se, floor_error)))
     return;
-  warn(out,
-       "{} is rejected although its skill is {:.2f}: metric by metric it is about as close as two halves of the recording are to each "
-       "other, "
-       "but all metrics of the whole recording together tell it apart (fit p {} {:.2f}). Trust fit p.",
+  warn(out, Gravity::result,
+       "{} is rejected although its skill is {:.2f}: each metric alone is about as close as two halves of the recording are to each other, "
+       "but all metrics together differ (fit p {} {:.2f}). Trust fit p.",
        first.model, first.likeness.skill.value, first.standing.certainty.goodness_p * (1 + r.ranking.laws) < 1.5 ? "≤" : "=",
        first.standing.certainty.goodness_p);
 }
 
 // A posterior takes its model for granted.
-void warn_of_identified(const Comparison& r, std::vector<std::string>& out) {
+void warn_of_identified(const Comparison& r, std::vector<Warning>& out) {
   if (!no_interaction(r.recording.skill)) return;
   for (const ModelFit& m : r.models) {
     std::vector<std::string_view> names;
     for (const ParameterResult& p : m.parameters)
       if (p.interaction && p.posterior.verdict == "identified") names.push_back(p.name);
     if (!names.empty())
-      warn(out,
-           "{}: {} {} called identified although no interaction is detectable. A posterior takes for granted that its model made the "
-           "recording: the {} which strength mimics it best, not that there is interaction.",
+      warn(out, Gravity::meaning,
+           "{}: {} {} identified although no interaction is detectable. A posterior assumes that its model is true: the {} which strength "
+           "imitates the recording best, not that animals interact.",
            m.model, fmt::join(names, ", "), names.size() > 1 ? "are" : "is", names.size() > 1 ? "intervals say" : "interval says");
   }
 }
@@ -91,18 +90,18 @@ std::vector<std::string> reversed_pairs(const Comparison& r) {
   return out;
 }
 
-void warn_of_order(const Comparison& r, std::vector<std::string>& out) {
+void warn_of_order(const Comparison& r, std::vector<Warning>& out) {
   const auto pairs = reversed_pairs(r);
   if (pairs.empty()) return;
   std::vector<std::string> order;
   for (const ModelFit* m : by_skill(r)) order.push_back(fmt::format("{} ({:.2f})", m->model, m->likeness.skill.value));
-  warn(out,
-       "Score and skill disagree: by skill the order is {}, which puts {}. A score depends on which models are compared, a skill does not.",
+  warn(out, Gravity::result,
+       "Score and skill disagree: by skill the order is {}, which puts {}. The score depends on which models are compared, skill does not.",
        fmt::join(order, ", "), fmt::join(pairs, " and "));
 }
 
 // Does the skill rest on other columns than the score?
-void warn_of_basis(const Comparison& r, std::vector<std::string>& out) {
+void warn_of_basis(const Comparison& r, std::vector<Warning>& out) {
   bool more = false;
   std::vector<std::string> missing;
   for (std::size_t j = 0; j < r.recording.skill.used.size(); ++j) {
@@ -111,26 +110,27 @@ void warn_of_basis(const Comparison& r, std::vector<std::string>& out) {
     if (!r.recording.skill.used[j] && expected) missing.push_back(r.recording.columns[j].key());
   }
   if (more)
-    warn(out, "No metric that counts in full tells the recording from its surrogates, so the skill rests on all that are defined.");
+    warn(out, Gravity::note,
+         "No fully weighted metric distinguishes the recording from its surrogates, so skill rests on all defined metrics.");
   else if (!missing.empty())
-    warn(out, "The skill leaves out {}: an eighth of the recording is too short for so long a lag.", fmt::join(missing, ", "));
+    warn(out, Gravity::note, "Skill leaves out {}: an eighth of the recording is too short for this lag.", fmt::join(missing, ", "));
 }
 
 }  // namespace
 
-std::vector<std::string> warnings_of_learning(const Comparison& r) {
-  std::vector<std::string> out;
+std::vector<Warning> warnings_of_learning(const Comparison& r) {
+  std::vector<Warning> out;
   for (const ModelFit& m : r.models) {
     if (!m.learns) continue;
     const Nearness& n = m.standing.held_out.nearness;
     if (!r.recording.hold_out.used())
       warn(
-          out,
-          "{} takes its velocities from the recording that it is judged on, so its score and its place are no evidence; use --holdout yes, which "
-          "judges it on what it did not learn from.",
+          out, Gravity::result,
+          "{} takes its velocities from the recording that it is judged on, so its score and its place are no evidence; use --holdout yes, "
+          "which judges it on what it did not learn from.",
           m.model);
     else if (std::isfinite(n.simulated) && n.recorded > 0)
-      warn(out,
+      warn(out, Gravity::meaning,
            "{} takes its velocities from the half that is fitted. Over {} frames its paths on the other half lie {:.2f} times as far from "
            "the nearest path that it has seen as the recorded ones do{}.",
            m.model, n.frames, n.simulated / n.recorded, n.simulated < kRepeats * n.recorded ? ": it repeats what it has seen" : "");
@@ -138,19 +138,20 @@ std::vector<std::string> warnings_of_learning(const Comparison& r) {
   return out;
 }
 
-std::vector<std::string> warnings_of_skill(const Comparison& r) {
-  std::vector<std::string> out;
+std::vector<Warning> warnings_of_skill(const Comparison& r) {
+  std::vector<Warning> out;
   warn_of_walk(r, out);
   if (no_interaction(r.recording.skill))
-    warn(out,
-         "No detectable interaction: distances and speed differences of neighbours are like those of the same tracks shifted in time "
-         "against "
-         "each other (p = {:.2f} and {:.2f} among {} surrogates), so the ranking says how single animals move.",
-         r.recording.skill.interaction_p[0], r.recording.skill.interaction_p[1], r.recording.skill.surrogates);
+    warn(
+        out, Gravity::meaning,
+        "No detectable interaction: neighbour distances and speed differences are similar to those of the same tracks shifted in time (p = "
+        "{:.2f} and {:.2f}, {} surrogates), so this ranking compares individual motion, not interaction.",
+        r.recording.skill.interaction_p[0], r.recording.skill.interaction_p[1], r.recording.skill.surrogates);
   warn_of_identified(r, out);
   if (!r.models.empty() && std::isnan(r.models.front().likeness.skill.value))
-    warn(out,
-         "Skill is undefined: the recording is too short to be halved, or its halves are no closer to each other than to its own places in "
+    warn(out, Gravity::note,
+         "Skill is undefined: the recording is too short to be halved, or its halves are no closer to each other than to its own positions "
+         "in "
          "random order.");
   if (!r.models.empty() && std::isfinite(r.models.front().likeness.skill.value)) {
     warn_of_basis(r, out);
@@ -159,8 +160,9 @@ std::vector<std::string> warnings_of_skill(const Comparison& r) {
   warn_of_order(r, out);
   std::vector<std::string> deciders;
   for (const LeftOut& w : r.ranking.without)
-    if (w.winner_changed) deciders.push_back(fmt::format("without {} it is {}", w.model, w.ranking.front().first));
-  if (!deciders.empty()) warn(out, "Who wins by score depends on who is compared: {}.", fmt::join(deciders, ", "));
+    if (w.winner_changed) deciders.push_back(fmt::format("without {}, {} ranks first", w.model, w.ranking.front().first));
+  if (!deciders.empty())
+    warn(out, Gravity::result, "Which model ranks first depends on which models are compared: {}.", fmt::join(deciders, ", "));
   return out;
 }
 

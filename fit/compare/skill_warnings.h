@@ -7,9 +7,9 @@
 namespace swarmfit {
 
 // One sentence each, from a finished result.
-std::vector<std::string> warnings_of_skill(const Comparison& result);
+std::vector<Warning> warnings_of_skill(const Comparison& result);
 
 // And of models that take their motion from the recording: what their place is worth.
-std::vector<std::string> warnings_of_learning(const Comparison& result);
+std::vector<Warning> warnings_of_learning(const Comparison& result);
 
 }  // namespace swarmfit

@@ -32,7 +32,7 @@ Tracks demo_recording() {
   options.seed = 20161109;
   options.unit = "mm";
   options.path = "demo";
-  options.notes = {"synthetic: made by swarmfit's own bswarm with curl noise, a localisation error of 0.1 mm and missed detections"};
+  options.notes = {"synthetic: made by swarmfit's own bswarm with curl noise, a measurement error of 0.1 mm and missed detections"};
   return plant(model, parameters, options);
 }
 

@@ -6,6 +6,7 @@
 #include "fit/results/ranking.h"
 #include "fit/results/recording_facts.h"
 #include "fit/results/run_record.h"
+#include "fit/results/warning.h"
 
 namespace swarmfit {
 
@@ -13,9 +14,9 @@ struct Comparison {
   RunRecord run;
   RecordingFacts recording;
   Ranking ranking;
-  std::vector<ModelFit> models;       // by rank
-  Tracks film;                        // the first frames of the recording, as compared (fit/experiment/film.h)
-  std::vector<std::string> warnings;  // sentences a reader must see before believing the table
+  std::vector<ModelFit> models;   // by rank
+  Tracks film;                    // the first frames of the recording, as compared (fit/experiment/film.h)
+  std::vector<Warning> warnings;  // gravest first
 };
 
 }  // namespace swarmfit

@@ -9,6 +9,7 @@
 
 #include "fit/results/estimate.h"
 #include "libeval/energy.h"
+#include "libeval/group/pictures.h"
 #include "libeval/panel.h"
 #include "libtrack/tracks.h"
 
@@ -157,6 +158,7 @@ struct Likeness {
   std::vector<Estimate> panel;                // per item of PanelFacts
   std::vector<Estimate> vacf;                 // per lag of PanelFacts
   double extent = 0, spacing = 0, speed = 0;  // of the simulated group, as in DataFacts
+  PictureSpread pictures{};                   // over single final replicates, on the grid of PictureFacts
 };
 
 // Everything about one model in a comparison (or the only one of a fit).

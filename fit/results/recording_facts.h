@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "fit/results/estimate.h"
+#include "libeval/group/pictures.h"
 #include "libeval/panel.h"
+#include "libeval/timeline.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
@@ -77,6 +79,13 @@ struct PanelFacts {
   std::vector<Estimate> recording_vacf;  // per lag
 };
 
+// What the recording looks like (libeval/group/pictures.h), and on which grid models do as well.
+struct PictureFacts {
+  PictureGrid grid;
+  Pictures recording;
+  Timeline timeline;
+};
+
 // One half fitted, the other scored: first and last frames of each, and what was chosen by the fitted one.
 struct HeldOutWay {
   std::int64_t fitted_first = 0, fitted_last = 0, held_first = 0, held_last = 0;
@@ -104,6 +113,7 @@ struct RecordingFacts {
   PerColumn<double> resolution;  // least p2 (fit/compare/facts.h); 0: none, or it cannot be told
   SkillFacts skill;
   PanelFacts panel;
+  PictureFacts pictures;
   HoldOutFacts hold_out;
 };
 

@@ -53,7 +53,7 @@ bool another_take(const Tracks& recording, std::int64_t from, std::int64_t to) {
 void check_names(const char* setting, const PerIndividual& per, const Tracks& recording) {
   for (const auto& entry : per.own)
     if (std::find(recording.names().begin(), recording.names().end(), entry.first) == recording.names().end())
-      throw InputError(fmt::format("`{}` {}: nobody in {} has that name; expected one of {}", setting, entry.first,
+      throw InputError(fmt::format("`{}` {}: no individual in {} has that name; expected one of {}", setting, entry.first,
                                    recording.meta().from.path, fmt::join(recording.names(), ", ")));
 }
 
@@ -90,7 +90,7 @@ Staged flown(const Tracks& recording, const Pilot& pilot, std::vector<Replay::In
   TrackCollector collector(std::move(names));
   Lane lane{std::move(parameters), {pilot.seed}, std::move(start), std::move(world), &collector, {}, false};
   cpu_backend().run(*model, plan, {&lane, 1});
-  if (lane.blew_up) throw InputError(pilot.model.name + ": the simulation blew up; expected parameters that keep motion finite");
+  if (lane.blew_up) throw InputError(pilot.model.name + ": the simulation diverged; expected parameters that keep motion finite");
   return {collector.take(recording.meta()), lane.world.part<Replay>()->arrivals()};
 }
 
@@ -207,7 +207,8 @@ Tracks augment(const Tracks& recording, const AugmentOptions& options) {
   const Rng rng{options.pilot.seed};
   const RecordedVelocities velocities(recording);
   if (velocities.none())
-    throw InputError(recording.meta().from.path + ": nobody is seen in two frames on end; expected tracks to take velocities from");
+    throw InputError(recording.meta().from.path +
+                     ": no individual is seen in two successive frames; expected tracks to take velocities from");
   std::vector<std::string> names = recording.names();
   State start;
   for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(options.add); ++k) {

@@ -81,7 +81,7 @@ Shape fly_along(const Tracks& reference, const ShapeOptions& options) {
             {},
             false};
   cpu_backend().run(*rule, plan, {&lane, 1});
-  if (lane.blew_up) throw InputError(model.name + ": the simulation blew up; expected parameters that keep motion finite");
+  if (lane.blew_up) throw InputError(model.name + ": the simulation diverged; expected parameters that keep motion finite");
   TrackMeta meta;
   meta.dims = reference.dims();
   meta.dt = reference.dt();

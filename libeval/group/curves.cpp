@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "libeval/group/curves.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "libeval/group/even_pairs.h"
 #include "libeval/jackknife.h"
 #include "libeval/panel.h"
 #include "libtrack/cut.h"
-#include "libtrack/rng.h"
 
 namespace swarmfit {
 namespace {
@@ -23,7 +20,6 @@ constexpr std::size_t kBlocks = 8, kBins = 30;
 constexpr double kReach = 2;     // distances up to so many rms radii
 constexpr double kMapReach = 3;  // of the neighbour map, in mean nearest-neighbour distances
 constexpr int kMapSide = 21;
-constexpr std::uint32_t kEvenPoints = 3000;  // that stand for an even ellipsoid
 
 // Sums of one block of time; all of them add up.
 struct Sums {
@@ -153,35 +149,6 @@ class Collector {
   double heads_ = 0, ahead_ = 0, sided_ = 0, left_ = 0;
 };
 
-// Share of the pairs of an even ellipsoid that lie in each bin: pairs of points drawn once and for all, the same for everybody.
-std::vector<double> even_pairs(const Sizes& sizes, int dims, double width) {
-  const double stretch = std::sqrt(dims + 2.0);  // from standard deviations to the semi-axes of a uniform ellipsoid
-  Eigen::Matrix3d covariance = sizes.covariance;
-  if (dims == 2) covariance(2, 2) = 0;
-  covariance += 1e-9 * covariance.trace() * Eigen::Matrix3d::Identity();  // of places on a line, too
-  const Eigen::Matrix3d root = covariance.llt().matrixL();
-  std::vector<Vector3d> points;
-  const Rng rng{1};
-  for (std::uint32_t k = 0; k < kEvenPoints; ++k) {
-    const auto u = rng.uniform2(Stream::probe, 0, k, 0);
-    const double radius = std::pow(rng.uniform(Stream::probe, 1, k, 0), 1.0 / dims);
-    const double angle = 2 * std::numbers::pi * u[0], z = dims == 3 ? 2 * u[1] - 1 : 0, rho = std::sqrt(1 - z * z);
-    Vector3d p = root * Vector3d(radius * stretch * Vector3d(rho * std::cos(angle), rho * std::sin(angle), z));
-    if (dims == 2) p[2] = 0;
-    points.push_back(p);
-  }
-  std::vector<double> share(kBins, 0);
-  double all = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = i + 1; j < points.size(); ++j) {
-      const auto b = static_cast<std::size_t>((points[i] - points[j]).norm() / width);
-      if (b < kBins) ++share[b];
-      ++all;
-    }
-  for (double& s : share) s /= all;
-  return share;
-}
-
 // Every curve of these sums: values, in the order of `out`.
 struct Values {
   std::vector<double> g, c, force;
@@ -255,7 +222,7 @@ GroupCurves group_curves(const Tracks& tracks, const MomentOptions& options) {
     Collector collector(sizes, tracks.frames().front().number, tracks.frames().back().number);
     for_each_moment(tracks, options, [&](const Moment& moment) { collector.add(moment); });
     const double width = collector.width();
-    const auto even = even_pairs(sizes, options.dims, width);
+    const auto even = even_pairs(sizes.covariance, options.dims, width, kBins);
     Sums total;
     for (const Sums& s : collector.blocks()) total.add(s, 1);
     std::vector<Values> without;

@@ -12,7 +12,7 @@
 //     D = unit(inertia D + c C + c_rep F + noise E)                         repulsion=on
 //     F = sum over all nearer than r_rep of (P - P_j) / |P - P_j|³
 //     P = P + speed tau D
-//   E is a random unit vector. Whoever sees nobody has C = 0. `blind` is the angle behind the back in which nobody is seen; repulsion works
+//   E is a random unit vector. Whoever sees nobody has C = 0. `blind` is the blind angle behind the agent; repulsion works
 //   all round. F is not a mean and not a unit vector; distances below 0.001 count as 0.001.
 //
 // One exact result. Agents that circle a common centre, all seen by all and blind to nobody, turn by phi per decision with c = 2
@@ -226,7 +226,7 @@ const std::vector<Parameter>& parameter_table() {
       {.row = kNearest, .name = "nearest", .symbol = "n", .unit = {0, 0}, .scene = {7, 1, 1000}, .fit = {7, 1, 30}, .fitted = true,
        .when = "neighbours=topological", .meaning = "number of neighbours", .source = "thesis, section 1.2.1", .integer = true},
       {.row = kBlind, .name = "blind", .symbol = "β", .unit = {0, 0}, .scene = {0, 0, circle}, .fit = {1.5, 0, circle}, .fitted = true,
-       .meaning = "angle behind the back in which nobody is seen [rad]", .source = "2015"},
+       .meaning = "blind angle behind the agent [rad]", .source = "2015"},
       {.row = kNoise, .name = "noise", .symbol = "e", .unit = {0, 0}, .scene = {0, 0, 10}, .fit = {0.2, 0, 2}, .fitted = true,
        .meaning = "length of the error, relative to keeping direction", .source = "2011; 2015: 0.2"},
       {.row = kInertia, .name = "inertia", .symbol = "d", .unit = {0, 0}, .scene = {1, 0, 10}, .fit = {1, 0, 10}, .when = "repulsion=on",

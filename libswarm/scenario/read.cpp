@@ -220,7 +220,7 @@ Start start_from(Table table, int dims, const Bounds& bounds) {
 
 std::uint8_t kind_of(Table& table, const ModelSpec& spec) {
   if (!table.has("kind")) return 0;
-  if (spec.kinds.empty()) table.refuse("kind", fmt::format("is given, but all agents are alike to {}; expected no kind", spec.name));
+  if (spec.kinds.empty()) table.refuse("kind", fmt::format("is given, but {} has one kind of agents; expected no kind", spec.name));
   const Words names(spec.kinds.begin(), spec.kinds.end());
   const auto name = table.choice("kind", names, std::nullopt);
   return static_cast<std::uint8_t>(std::find(names.begin(), names.end(), name) - names.begin());

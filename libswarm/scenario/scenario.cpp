@@ -201,7 +201,7 @@ Counters play(const Scenario& scene, FrameSink& agents, FrameSink* stimuli) {
   lane.out = &from_now;
   cpu_backend().run(*rule, plan, {&lane, 1});
   if (lane.blew_up)
-    throw InputError(scene.model.name + ": the simulation blew up; expected parameters and a time step that keep motion finite");
+    throw InputError(scene.model.name + ": the simulation diverged; expected parameters and a time step that keep motion finite");
   return lane.count;
 }
 

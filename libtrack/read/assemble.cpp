@@ -280,7 +280,7 @@ class Assembly {
     if (names_.size() < 3 || names_.size() < order_.size() || *low == *high) return;
     if (options_.columns.empty())
       fail("the id is new in every row, so it numbers rows and not individuals; expected `columns` to name the individual (id=NAME,...)");
-    note("the id is new in every row: nobody is seen twice");
+    note("the id is new in every row: no individual is seen twice");
   }
 
   void use_frames(double dt, double t0) {

@@ -93,7 +93,7 @@ class Player {
       const canvas = make("canvas", { role: "img" });
       canvas.setAttribute("aria-label", `Moving picture: ${take.title}`);
       const title = make("figcaption", {}, this.keyOf(take.series), take.title);
-      if (films[k].rows === 0) title.append(" (nobody to be seen: the simulation blew up)");
+      if (films[k].rows === 0) title.append(" (no frames: the simulation diverged)");
       stage.append(make("figure", {}, canvas, title));
     });
     this.stage = stage;
@@ -171,10 +171,12 @@ class Player {
     const refit = () => (this.stages.forEach((stage) => stage.fit()), this.show());
     new ResizeObserver(refit).observe(this.stage);
     for (const query of ["(prefers-color-scheme: dark)", "print"]) matchMedia(query).addEventListener("change", () => this.repaint());
-    addEventListener("beforeprint", () => this.play(false));
+    // What has not begun looks alike everywhere: print shows the middle of the film, with tails.
+    addEventListener("beforeprint", () => (this.position === 0 ? (this.jump(Math.floor(this.clock.length / 2)), this.show()) : this.play(false)));
     const pictures = new IntersectionObserver((entries) => entries.forEach(({ target, isIntersecting }) => (this.stages.find((s) => s.canvas === target).seen = isIntersecting)));
     this.stages.forEach((stage) => pictures.observe(stage.canvas));
     let begun = still.matches || this.clock.length < 2;
+    if (still.matches) this.jump(Math.floor(this.clock.length / 2)), this.show();
     new IntersectionObserver(([entry]) => {
       this.seen = entry.isIntersecting;
       if (this.seen && !begun) (begun = true), this.play(true);

@@ -32,34 +32,6 @@
 
   const tick = { callback: (value) => text(value) };
 
-  // Whiskers of one standard error on bars; Chart.js has none of its own.
-  const whiskers = {
-    id: "whiskers",
-    afterDatasetsDraw(chart) {
-      const { ctx, scales: { y } } = chart;
-      ctx.save();
-      ctx.strokeStyle = css("--text");
-      ctx.lineWidth = 1;
-      chart.data.datasets.forEach((set, k) => {
-        if (!set.errors || !chart.isDatasetVisible(k)) return;
-        chart.getDatasetMeta(k).data.forEach((bar, j) => {
-          const value = set.data[j], error = set.errors[j];
-          if (!isNumber(value) || !isNumber(error)) return;
-          const top = y.getPixelForValue(value + error), bottom = y.getPixelForValue(Math.max(0, value - error));
-          ctx.beginPath();
-          ctx.moveTo(bar.x, top);
-          ctx.lineTo(bar.x, bottom);
-          ctx.moveTo(bar.x - 2.5, top);
-          ctx.lineTo(bar.x + 2.5, top);
-          ctx.moveTo(bar.x - 2.5, bottom);
-          ctx.lineTo(bar.x + 2.5, bottom);
-          ctx.stroke();
-        });
-      });
-      ctx.restore();
-    },
-  };
-
   function draw(id, build, first = null) {
     const canvas = document.getElementById(id);
     if (!canvas) return;
@@ -86,20 +58,32 @@
     };
   }
 
-  // The bins in which somebody has a visible density.
+  // The end bins hold all that lies beyond them: drawn, they would be peaks that nothing has.
+  const innerBins = (metric) => {
+    const bins = metric.recording.length;
+    return data.clip && bins > 2 ? [1, bins - 2] : [0, bins - 1];
+  };
+
+  // The bins with a visible density in the recording or a model.
   function visibleBins(metric) {
-    const curves = [metric.recording, ...metric.models].filter((curve) => curve.length > 0);
-    const peak = Math.max(...metric.recording);
-    let first = metric.recording.length, last = -1;
+    const curves = [metric.recording, ...metric.models].filter((curve) => curve.length > 0), [from, to] = innerBins(metric);
+    const peak = Math.max(...metric.recording.slice(from, to + 1));
+    let first = to, last = from;
     for (const curve of curves) {
-      curve.forEach((q, bin) => {
-        if (q < 0.004 * peak) return;
+      for (let bin = from; bin <= to; ++bin) {
+        if (!(curve[bin] >= 0.004 * peak)) continue;
         first = Math.min(first, bin);
         last = Math.max(last, bin);
-      });
+      }
     }
-    return last < first ? [0, metric.recording.length - 1] : [Math.max(0, first - 1), Math.min(metric.recording.length - 1, last + 1)];
+    if (last < first) return [from, to];
+    // Nothing but angular acceleration can be negative.
+    const least = metric.signed ? from : Math.max(from, Math.ceil(-metric.lower / metric.width - 0.5));
+    return [Math.max(Math.min(least, first), first - 1), Math.min(to, last + 1)];
   }
+
+  // A value that hardly varies fills one or two bins: bars say so, and a line would make triangles of them.
+  const narrow = (curve) => curve.filter((q) => q > 0).length <= 3;
 
   function points(metric, curve, [first, last], logarithmic) {
     const out = [];
@@ -112,8 +96,8 @@
 
   // Narrow peaks would flatten all others: they are cut at twice the recording's.
   function highest(metric) {
-    const peak = Math.max(...metric.recording);
-    return Math.max(...metric.models.flat(), 0) > 2 * peak && peak > 0 ? 2 * peak : undefined;
+    const [from, to] = innerBins(metric), peak = Math.max(...metric.recording.slice(from, to + 1));
+    return Math.max(...metric.models.map((curve) => curve.slice(from, to + 1)).flat(), 0) > 2 * peak && peak > 0 ? 2 * peak : undefined;
   }
 
   function density(metric) {
@@ -121,9 +105,9 @@
     const bins = visibleBins(metric);
     const recording = {
       label: "recording", data: points(metric, metric.recording, bins, logarithmic), borderColor: css("--recording"), borderWidth: 1.25,
-      backgroundColor: css("--recording-fill"), fill: "start", pointRadius: 0, order: 100,
+      backgroundColor: css("--recording-fill"), fill: "start", pointRadius: 0, order: 100, stepped: narrow(metric.recording) ? "middle" : false,
     };
-    const models = metric.models.map((curve, k) => ({ ...modelLine(k, points(metric, curve, bins, logarithmic)), order: k }));
+    const models = metric.models.map((curve, k) => ({ ...modelLine(k, points(metric, curve, bins, logarithmic)), order: k, stepped: narrow(curve) ? "middle" : false }));
     // Where recordings made by the first model lie; after the models, whose places the legend counts.
     const edge = { label: "band", borderWidth: 0, pointRadius: 0, pointHitRadius: 0, order: 50 };
     const band = metric.band[0].length === 0 ? [] : [
@@ -137,7 +121,7 @@
         parsing: false,
         scales: {
           x: axis(`${metric.name} ${metric.symbol} [${metric.unit}]`, {
-            type: "linear", min: metric.lower + bins[0] * metric.width, max: metric.lower + (bins[1] + 1) * metric.width, ticks: tick }),
+            type: "linear", min: metric.signed ? metric.lower + bins[0] * metric.width : Math.max(0, metric.lower + bins[0] * metric.width), max: metric.lower + (bins[1] + 1) * metric.width, ticks: tick }),
           y: axis(`density [${metric.density_unit}]`, { type: logarithmic ? "logarithmic" : "linear", ...(logarithmic ? {} : { min: 0, max: highest(metric) }), ticks: tick }),
         },
         plugins: {
@@ -153,75 +137,8 @@
     };
   }
 
-  const metricLabel = (metric) => (metric.counts ? metric.symbol : `(${metric.symbol})`);
-
-  function energies() {
-    return {
-      type: "bar",
-      data: {
-        labels: data.metrics.map(metricLabel),
-        datasets: data.models.map((model, k) => ({
-          label: model.name, data: model.energies, errors: model.errors, backgroundColor: seriesColour(k), categoryPercentage: 0.8, barPercentage: 0.92,
-        })),
-      },
-      options: { scales: { x: axis("metric (in brackets: left out of the score)", { grid: { display: false } }), y: axis("raw energy", { min: 0, ticks: tick }) } },
-      plugins: [whiskers],
-    };
-  }
-
-  function weights() {
-    return {
-      type: "bar",
-      data: { labels: data.metrics.map(metricLabel), datasets: [{ label: "weight", data: data.weights, backgroundColor: css("--accent"), barPercentage: 0.7 }] },
-      options: { scales: { x: axis("metric", { grid: { display: false } }), y: axis("weight", { min: 0, ticks: tick }) } },
-    };
-  }
-
-  function history() {
-    const used = data.metrics.map((metric, m) => ({ metric, m })).filter(({ metric }) => metric.counts);
-    return {
-      type: "line",
-      data: {
-        labels: data.history.map((step) => step.pass),
-        datasets: used.map(({ metric, m }, k) => ({
-          label: metric.symbol, data: data.history.map((step) => step.weights[m]), borderColor: seriesColour(k), backgroundColor: seriesColour(k),
-          borderDash: dashes[k % dashes.length], borderWidth: 1.75, pointRadius: 3,
-        })),
-      },
-      options: {
-        scales: { x: axis("pass of the calibration"), y: axis("weight", { min: 0, ticks: tick }) },
-        plugins: { legend: { display: true, position: "right", labels: { color: css("--soft"), boxWidth: 24, boxHeight: 0 } } },
-      },
-    };
-  }
-
-  // Points of one model with a hole between passes: scores of different weights are not to be joined.
-  function curve(model) {
-    const out = [];
-    model.convergence.forEach(([pass, evaluations, best], k) => {
-      if (k > 0 && model.convergence[k - 1][0] !== pass) out.push({ x: evaluations, y: NaN });
-      out.push({ x: evaluations, y: isNumber(best) ? best : NaN });
-    });
-    return out;
-  }
-
-  function convergence() {
-    return {
-      type: "line",
-      data: { datasets: data.models.map((model, k) => ({ ...modelLine(k, curve(model)), stepped: true, pointRadius: model.convergence.length < 2 ? 3 : 0 })) },
-      options: {
-        parsing: false,
-        scales: { x: axis("candidates simulated", { type: "linear", ticks: tick }), y: axis("best score so far", { ticks: tick }) },
-      },
-    };
-  }
-
   function drawAll() {
     data.metrics.forEach((metric) => { if (metric.recording.length > 0) draw(`pdf-${metric.key}`, () => density(metric), 1); });
-    draw("energy-chart", energies, 0);
-    draw("weight-chart", weights);
-    draw("history-chart", history);
-    draw("convergence-chart", convergence, 0);
   }
 
   function showChosenModels() {

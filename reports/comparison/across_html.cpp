@@ -32,7 +32,7 @@ Html link(const RecordingPage& page, std::string_view text) {
 }
 
 Html recordings(const Across& a, const std::vector<RecordingPage>& pages) {
-  HtmlTable t("What each recording says by itself.");
+  HtmlTable t("Result of each recording.");
   t.head({column("recording"), column("answer")});
   for (std::size_t k = 0; k < a.recordings.size(); ++k) t.row({name_cell(link(pages[k], a.recordings[k])), text_cell(pages[k].sentence)});
   return t.html();
@@ -44,7 +44,7 @@ std::string beyond_these(const Across& a) {
   for (const ModelAcross& m : a.models)
     if (std::isfinite(m.lead.lower)) (m.lead.lower > 0 ? holds : open).push_back(m.model);
   if (holds.empty() && open.empty()) return "";
-  const std::string all = fmt::format(" The recordings taken as a sample of more of their kind, the lead of {} ", a.models.front().model);
+  const std::string all = fmt::format(" If these recordings are a random sample of their kind, the lead of {} ", a.models.front().model);
   if (holds.empty()) return all + "holds over no other model (95 %).";
   if (open.empty()) return all + "holds over every other model (95 %).";
   return all + fmt::format("holds over {}, but not over {} (95 %).", enumerate(holds), enumerate(open));
@@ -69,7 +69,7 @@ std::string across_detail(const Across& a) {
   for (const ModelAcross& m : a.models)
     if (&m != &a.models.front() && m.wins > 0) others.push_back(fmt::format("{} on {}", m.model, m.wins));
   const std::string also = others.empty() ? "" : fmt::format("Also first: {}. ", enumerate(others));
-  return also + "First places include ties that the recordings cannot decide; their own reports say which." + beyond_these(a);
+  return also + "First places include ties; the reports of the recordings say which." + beyond_these(a);
 }
 
 std::string across_html(const Across& a, const std::vector<RecordingPage>& pages, const std::string& version) {

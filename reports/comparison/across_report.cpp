@@ -41,8 +41,8 @@ Json interval(const MeanOverRecordings& of) { return std::isfinite(of.lower) ? J
 
 PaperTable ranking(const Across& a) {
   PaperTable t{"across_ranking",
-               "Rank and, in brackets, score of every model on every recording; models by mean rank. In brackets after the lead of "
-               "the first: 95 % interval over recordings.",
+               "Rank and, in brackets, score of every model on every recording; models by mean rank. Lead of the first: with its 95 % "
+               "interval over recordings.",
                {"model"},
                {}};
   for (const auto& name : a.recordings) t.head.push_back(fs::path(name).filename().string());

@@ -37,7 +37,7 @@ Json metric_data(const Comparison& c, std::size_t m) {
           {"name", column.name()},
           {"unit", metric_unit(column.metric, c.recording.data.unit)},
           {"density_unit", density_unit(column.metric, c.recording.data.unit)},
-          {"counts", counts(c, m)},
+          {"signed", column.metric == kAngularAcceleration},
           {"lower", c.recording.axis_lower[m]},
           {"width", c.recording.axis_width[m]},
           {"recording", short_numbers(physical_density(c.recording.distributions[m].histogram, c.recording.axis_width[m]))},
@@ -45,26 +45,13 @@ Json metric_data(const Comparison& c, std::size_t m) {
           {"models", std::move(models)}};
 }
 
-Json model_data(const ModelFit& r) {
-  Json convergence = Json::array();
-  for (const ConvergencePoint& p : r.search.convergence) convergence.push_back({p.pass, p.evaluations, short_number(p.best)});
-  return {{"name", r.model},
-          {"energies", short_numbers(r.runs.raw_energies)},
-          {"errors", short_numbers(r.runs.raw_se)},
-          {"convergence", std::move(convergence)}};
-}
-
 }  // namespace
 
 std::string chart_data(const Comparison& c) {
-  Json metrics = Json::array(), models = Json::array(), history = Json::array();
+  Json metrics = Json::array(), models = Json::array();
   for (std::size_t m = 0; m < c.recording.columns.size(); ++m) metrics.push_back(metric_data(c, m));
-  for (const ModelFit& r : c.models) models.push_back(model_data(r));
-  for (const WeightStep& s : c.ranking.weight_history) history.push_back({{"pass", s.pass}, {"weights", short_numbers(s.weights)}});
-  const Json data = {{"metrics", std::move(metrics)},
-                     {"models", std::move(models)},
-                     {"weights", short_numbers(c.ranking.weights)},
-                     {"history", std::move(history)}};
+  for (const ModelFit& r : c.models) models.push_back({{"name", r.model}});
+  const Json data = {{"clip", c.recording.binning.clip}, {"metrics", std::move(metrics)}, {"models", std::move(models)}};
   return embedded(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

@@ -156,8 +156,8 @@ std::string limits(const Comparison& c, const std::vector<Density>& all) {
     if (!d.beyond.empty()) beyond.push_back(fmt::format("{} of {}", symbol, enumerate(d.beyond)));
   }
   std::string out;
-  if (!cut.empty()) out += fmt::format(" Cut at {} times the recording's peak: {}.", brief(kTallest), enumerate(cut));
-  if (!beyond.empty()) out += fmt::format(" Samples beyond the binned interval: {}.", enumerate(beyond));
+  if (!cut.empty()) out += fmt::format(" Model peaks cropped at {} times the recording's peak: {}.", brief(kTallest), enumerate(cut));
+  if (!beyond.empty()) out += fmt::format(" Samples outside the binned interval: {}.", enumerate(beyond));
   return out;
 }
 
@@ -168,7 +168,7 @@ std::string about_binning(const Comparison& c) {
 
 std::string about_band(const Comparison& c, const std::vector<Density>& all) {
   if (std::all_of(all.begin(), all.end(), [](const Density& d) { return d.lower.empty(); })) return {};
-  return fmt::format(" Shaded: where 95 % of single recordings made by {} lie, bin by bin.", c.models.front().model);
+  return fmt::format(" Shaded: range of 95 % of recordings simulated from {}, bin by bin.", c.models.front().model);
 }
 
 std::vector<plot::Entry> entries(const Comparison& c) {

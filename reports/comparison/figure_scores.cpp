@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who leads by how much, and where the models miss.
+// Scores with intervals, and energies by metric.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,11 +55,11 @@ struct ScoreColumns {
   double score, group, fit;  // right ends of the columns of text
 };
 
-void write_row(svg::Sheet& sheet, double y, const ModelFit& r, const ScoreColumns& at) {
+void write_row(svg::Sheet& sheet, double y, const Comparison& c, const ModelFit& r, const ScoreColumns& at) {
   sheet.text({2, y}, svg::plain(r.model));
   sheet.text({at.score, y}, svg::plain(in_print(fixed(r.standing.score, 3))), Anchor::end);
   sheet.text({at.group, y}, svg::plain(group_letter(r)), Anchor::middle);
-  sheet.text({at.fit, y}, svg::plain(fixed(r.standing.certainty.goodness_p, 2)), Anchor::end);
+  sheet.text({at.fit, y}, svg::plain(fit_p(c, r)), Anchor::end);
 }
 
 std::string unscored(const Comparison& c) {
@@ -190,7 +190,7 @@ Figure scores(const Comparison& c) {
     const ModelFit& r = c.models[k];
     const double y = static_cast<double>(c.models.size() - k) - 0.5;
     draw_scores(panel, y, c, k);
-    write_row(sheet, panel.place({0, y}).y + 2.5, r, at);
+    write_row(sheet, panel.place({0, y}).y + 2.5, c, r, at);
   }
   panel.x_axis(svg::plain(
       fmt::format("score{}{}", c.ranking.laws > 0 ? ", 95 % interval" : "", c.recording.hold_out.used() ? "; hollow: in sample" : "")));
@@ -207,7 +207,7 @@ Figure energies(const Comparison& c) {
   if (std::none_of(c.models.begin(), c.models.end(), defined)) return {"energies", "", ""};
   svg::Sheet sheet(c.models.size() * c.recording.columns.size() > 24 ? svg::kTwoColumns : svg::kOneColumn);
   std::vector<plot::Entry> legend = model_entries(c, plot::Sample::marker);
-  if (c.ranking.laws > 0) legend.push_back({plot::Sample::level, 0, "recordings made by the model"});
+  if (c.ranking.laws > 0) legend.push_back({plot::Sample::level, 0, "expected if the model were true"});
   const double top = plot::legend_rows(sheet, 4, sheet.width(), 9, legend) + 8;
   const svg::Box box{26, top, sheet.width() - 30, 120};
   const Places at = places(c);
@@ -227,7 +227,7 @@ Figure energies(const Comparison& c) {
       "Raw energies ({}) with one standard error over the final "
       "replicates.{}{}{}",
       what_energy_means(c),
-      c.ranking.laws > 0 ? " Grey: mean energy of recordings made by the model itself, what a perfect model would have." : "",
+      c.ranking.laws > 0 ? " Grey: energy expected if the model were true (mean over recordings simulated from it)." : "",
       any_left_out(c) ? " In brackets: not in the score." : "", absent);
   return {"energies", caption, sheet.document(height, "Raw energies by metric", caption)};
 }

@@ -126,8 +126,9 @@ Figure convergence(const Comparison& c) {
   const std::string missing = absent.empty() ? std::string() : fmt::format("No finite score: {}.", enumerate(absent));
   if (!missing.empty()) height = sheet.note(height + 8, missing) - 4;
   const std::string caption = fmt::format(
-      "Best score so far against the number of candidates simulated, per model. A new line begins with every pass of the calibration, "
-      "whose weights differ.{}{}",
+      "Best score so far against the number of candidates simulated, per model. Weights differ between passes of the calibration, so each "
+      "pass "
+      "is a line of its own.{}{}",
       missing.empty() ? "" : " ", missing);
   return {"convergence", caption, sheet.document(height, "Convergence of the searches", caption)};
 }

@@ -19,10 +19,11 @@ std::string what_is_shown(const Comparison& c) {
 }
 
 constexpr const char* kModels =
-    " Each model is shown by its first final simulation, one of those behind its score, observed as the recording is. All are drawn to the "
-    "same scale, without perspective.";
+    " Each panel shows one scored simulation, with the recording's gaps and measurement error added. All panels have the same scale, "
+    "without "
+    "perspective.";
 
-constexpr const char* kPair = " Both begin at their own first frame, and are drawn to the same scale, without perspective.";
+constexpr const char* kPair = " Both begin at their own first frame and have the same scale, without perspective.";
 
 std::string who_is_shown(const Comparison& c) {
   if (c.models.empty()) return {};

@@ -19,12 +19,25 @@ namespace {
 using Cells = std::vector<HtmlTable::Cell>;
 
 // Where a value lies between its bounds, 0..1, on the scale on which it was searched.
-double place(const ParameterResult& p) {
-  return p.fitted && p.upper > p.lower ? place_on(scale_of(p.log, p.lower), p.lower, p.upper, p.value) : NAN;
+double place(const ParameterResult& p, double value) {
+  return p.fitted && p.upper > p.lower ? place_on(scale_of(p.log, p.lower), p.lower, p.upper, value) : NAN;
+}
+
+std::string axis_name(const ParameterResult& p) {
+  switch (scale_of(p.log, p.lower)) {
+    case AxisScale::linear:
+      return "linear";
+    case AxisScale::root:
+      return "square root";
+    case AxisScale::logarithmic:
+      return "logarithmic";
+  }
+  return {};
 }
 
 Html parameter_table(const ModelFit& r) {
   HtmlTable table(fmt::format("Parameters of {}", r.model));
+  table.look("frozen tight");
   const bool posterior = r.posterior.simulations > 0;
   const bool halves = std::any_of(r.parameters.begin(), r.parameters.end(), [](const auto& p) { return std::isfinite(p.halves_lower); });
   Cells head = {column("parameter"),           column("symbol"),   column("value", true),         column("unit"),
@@ -32,24 +45,25 @@ Html parameter_table(const ModelFit& r) {
   if (halves) head.push_back(column("fits to halves", true));
   const bool likely = std::isfinite(r.likelihood.log_likelihood);
   if (likely) head.push_back(column("maximum likelihood, 95 %", true));
-  if (posterior) head.insert(head.end(), {column("95 %", true), column("verdict"), column("goes with")});
+  if (posterior) head.insert(head.end(), {column("95 %", true), column("verdict"), column("correlated with")});
   head.push_back(column("meaning"));
   table.head(head);
   for (const ParameterResult& p : r.parameters) {
-    Html where = place_drawing(place(p), p.at_bound);
+    Html where = place_drawing(place(p, p.value), p.at_bound, place(p, p.posterior.lower), place(p, p.posterior.upper));
+    if (p.fitted) where += element("span", "note", escaped(" " + axis_name(p)));
     if (p.at_bound) where += markup(" <span class=\"flag\">on a bound</span>");
     if (!p.fitted) where = markup("<span class=\"note\">not searched</span>");
     Cells cells = {name_cell(escaped(p.name)),
                    text_cell(p.symbol),
                    number_cell(rounded(p.value, 4)),
-                   text_cell(p.unit),
+                   text_cell(unit_in_print(p.unit)),
                    number_cell(p.fitted ? rounded(p.lower) : ""),
                    number_cell(p.fitted ? rounded(p.upper) : ""),
                    {.content = where}};
     if (halves) cells.push_back(number_cell(p.fitted ? halves_text(p) : ""));
     if (likely) cells.push_back(number_cell(p.fitted ? likelihood_text(p) : ""));
     if (posterior)
-      cells.insert(cells.end(), {number_cell(p.fitted ? interval_text(p.posterior) : ""), text_cell(p.posterior.verdict),
+      cells.insert(cells.end(), {number_cell(p.fitted ? interval_text(p.posterior) : ""), text_cell(verdict_text(p)),
                                  text_cell(partner_text(p.posterior))});
     cells.push_back(text_cell(p.meaning));
     table.row(cells);
@@ -70,7 +84,7 @@ double half_step_change(const Comparison& c, const ModelFit& r) {
 std::string error_text(const Comparison& c) {
   const ObservationFacts& o = c.recording.observation;
   if (o.error_source == "none") return "none added";
-  if (o.white && o.sigma.isZero()) return "none added: what was estimated would not show in any metric";
+  if (o.white && o.sigma.isZero()) return "none added: the estimate would not change any metric";
   return fmt::format("{} ({}{})", sigma_text(c), o.error_source, o.error_source == "estimate" && !o.white ? ", but not white" : "");
 }
 
@@ -99,9 +113,9 @@ Html parameters(const Comparison& c) {
 
 Html search(const Comparison& c) {
   HtmlTable table("What the search did");
-  table.head({column("model"), column("candidates tried", true), column("simulations", true), column("blew up", true),
-              column("final runs blown up", true), column("ended because"), column("steps per frame", true),
-              column("largest change at half the step", true), column("without collision-free velocity", true)});
+  table.head({column("model"), column("candidates tried", true), column("simulations", true), column("diverged", true),
+              column("final runs diverged", true), column("ended because"), column("steps per frame", true),
+              column("largest change at half the time step", true), column("without collision-free velocity", true)});
   for (std::size_t k = 0; k < c.models.size(); ++k) {
     const ModelFit& r = c.models[k];
     Html name = key_drawing(k);
@@ -112,11 +126,10 @@ Html search(const Comparison& c) {
                number_cell(percent(r.runs.infeasible_avoidance))});
   }
   Html out = table.html();
-  out += element(
-      "p", "note",
-      markup(
-          "Largest change at half the step: of any raw energy that counts, when the same parameters are simulated with half the time step. "
-          "Without collision-free velocity: share of agents and steps of the final simulations."));
+  out += element("p", "note",
+                 markup("Largest change at half the time step: of any energy in the score, when the same parameters are simulated with "
+                        "half the time step. "
+                        "Without collision-free velocity: share of agents and steps of the final simulations."));
   return out;
 }
 
@@ -124,21 +137,22 @@ Html observation(const Comparison& c) {
   const ObservationFacts& o = c.recording.observation;
   Html facts = fact("presence of individuals", o.presence == "recorded" ? "as recorded, gaps included" : o.presence);
   facts += fact("arena", o.arena);
-  if (o.unseen > 0) facts += fact("simulated beside the tracked ones", counted(o.unseen, "individual"));
-  facts += fact("localisation error", error_text(c));
+  if (o.unseen > 0) facts += fact("simulated in addition to tracked individuals", counted(o.unseen, "individual"));
+  facts += fact("measurement error", error_text(c));
   facts += fact("smoothing", smoothing_text(c));
   facts += fact("velocities", o.velocity == "recorded" ? "the recording's own" : "differences of positions");
-  Html out = element("p", "", markup("Simulated positions went through the same observation as the animals before anything was compared."));
+  Html out =
+      element("p", "", markup("Simulated positions get the recording's gaps, measurement error and smoothing before they are compared."));
   out += element("dl", "facts", facts);
 
-  HtmlTable table("How much of each metric is measurement error, and how many independent samples the recording is worth");
+  HtmlTable table("Share of measurement error in each metric, and effective number of independent samples");
   table.head({column("metric"), column(""), column("share of variance", true), column("independent samples", true), column("in the score"),
-              column("why not, or not in full")});
+              column("reason")});
   for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
     table.row({name_cell(escaped(c.recording.columns[m].name())), text_cell(c.recording.columns[m].symbol()),
                number_cell(percent(o.error_share[m])), number_cell(brief(o.independent[m], 2)),
                text_cell(!counts(c, m)  ? "no"
-                         : o.drowned[m] ? "beyond the error"
+                         : o.drowned[m] ? "beyond measurement error"
                                         : "yes"),
                text_cell(why_left_out(c, m))});
   out += table.html();
@@ -164,10 +178,10 @@ Html provenance(const Comparison& c) {
   out += fact("seed", std::to_string(c.run.seed));
   out += fact("protocol", c.run.protocol);
   out += fact("common parameters", fmt::format("{}", fmt::join(c.run.common, ", ")));
-  out += fact("budget",
-              fmt::format("{}: scout {} × {}, search {}, selection {}, confirmation on {}, report on {} replicates", c.run.budget.name,
-                          c.run.budget.scout.rounds, c.run.budget.scout.simulations, size_text(c.run.budget.search),
-                          size_text(c.run.budget.selection), c.run.budget.confirmation_replicates, c.run.budget.final_replicates));
+  out +=
+      fact("budget", fmt::format("{}: scout {} × {}, search {}, selection {}, confirmation on {}, report on {} replicates", budget_text(c),
+                                 c.run.budget.scout.rounds, c.run.budget.scout.simulations, size_text(c.run.budget.search),
+                                 size_text(c.run.budget.selection), c.run.budget.confirmation_replicates, c.run.budget.final_replicates));
   out += fact("calibration", c.ranking.mean_weights ? "each pass searches under the mean of all weights so far"
                                                     : "each pass searches under the last weights, as published");
   out += fact("read as", c.recording.data.format);

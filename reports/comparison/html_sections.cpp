@@ -24,10 +24,6 @@ Html model_name(const Comparison& c, std::size_t k) {
   return out;
 }
 
-std::string plus_minus(double value, double se, int decimals) {
-  return std::isfinite(se) ? fixed(value, decimals) + " ± " + fixed(se, decimals) : fixed(value, decimals);
-}
-
 // One column per metric, from what `text` says of each.
 template <class Text>
 void metric_columns(const Comparison& c, Cells& cells, Text text) {
@@ -72,13 +68,32 @@ std::string whose(const Comparison& c) {
   return c.run.command == "evaluate" ? " in the recording and in the simulation" : " in the recording and in every model";
 }
 
+// What a chart shows, for those who cannot see it.
+std::string finding(const Comparison& c, std::size_t m) {
+  const Moments& all = c.recording.distributions[m].moments;
+  std::string out = fmt::format("Recording: mean {}, standard deviation {} {}.", rounded(all.mean), rounded(all.sd()),
+                                metric_unit(c.recording.columns[m].metric, c.recording.data.unit));
+  for (const ModelFit& r : c.models)
+    if (std::isfinite(r.runs.raw_energies[m])) out += fmt::format(" {}: energy {}.", r.model, fixed(r.runs.raw_energies[m], 2));
+  return out;
+}
+
 std::vector<std::string> remarks(const ModelFit& r) {
   std::vector<std::string> out;
   const auto bounds = at_bounds(r);
   if (!bounds.empty()) out.push_back("on a bound: " + enumerate(bounds));
   if (r.search.failed_simulations > 0)
-    out.push_back(fmt::format("{} of {} simulations blew up", counted(r.search.failed_simulations), counted(r.search.simulations)));
+    out.push_back(fmt::format("{} of {} simulations diverged", counted(r.search.failed_simulations), counted(r.search.simulations)));
   return out;
+}
+
+// The mean of a model as a multiple of the recording's; where that is near zero, how far it is off in the recording's standard deviations.
+std::string mean_text(const Comparison& c, const ModelFit& r, std::size_t m) {
+  constexpr double kNearZero = 0.1;
+  const Moments& real = c.recording.distributions[m].moments;
+  if (!(std::abs(real.mean) < kNearZero * real.sd()) || !std::isfinite(r.runs.mean_ratio[m])) return fixed(r.runs.mean_ratio[m], 2);
+  const double off = (r.runs.mean_ratio[m] - 1) * real.mean / real.sd();
+  return fmt::format("{}{} sd", off < 0 ? "−" : "+", fixed(std::abs(off), 2));
 }
 
 }  // namespace
@@ -93,7 +108,7 @@ Html data_facts(const Comparison& c) {
   out += fact("frame interval", fmt::format("{} s ({} Hz)", brief(d.dt), brief(1 / d.dt)));
   out += fact("individuals per frame", brief(d.individuals_per_frame, 3));
   out += fact("dimensions", fmt::format("{}-D, in {}", d.dims, d.unit));
-  out += fact("rms radius", fmt::format("{} {}", rounded(d.extent), d.unit));
+  out += fact("rms radius, all frames", fmt::format("{} {}", rounded(d.extent), d.unit));
   out += fact("mean neighbour distance", fmt::format("{} {}", rounded(d.spacing), d.unit));
   out += fact("mean speed", fmt::format("{} {}", rounded(d.speed), metric_unit(kSpeed, d.unit)));
   return out;
@@ -101,31 +116,31 @@ Html data_facts(const Comparison& c) {
 
 Html warnings(const Comparison& c) {
   if (c.warnings.empty()) return {};
-  Html items;
-  for (const std::string& warning : c.warnings) items += element("li", "", escaped(warning));
-  Html out = markup("<aside class=\"warnings\" aria-labelledby=\"warnings-title\"><h2 id=\"warnings-title\">Before you believe this</h2>");
-  out += element("ul", "", items);
+  Html groups;
+  for (const Gravity gravity : {Gravity::result, Gravity::meaning, Gravity::note}) {
+    Html items;
+    for (const Warning& warning : c.warnings)
+      if (warning.gravity == gravity) items += element("li", "", escaped(warning.text));
+    if (items.text.empty()) continue;
+    groups += element("h3", gravity == Gravity::note ? "light" : "", escaped(gravity_title(gravity)));
+    groups += element("ul", "", items);
+  }
+  Html out = markup("<aside class=\"warnings\" aria-labelledby=\"warnings-title\"><h2 id=\"warnings-title\">Warnings</h2>");
+  out += groups;
   out += markup("</aside>");
   return out;
 }
 
 Html ranking(const Comparison& c) {
-  HtmlTable table("Models by score, with their raw energies");
-  table.sortable();
+  HtmlTable table("Models by score");
+  table.sortable().look("frozen");
   const auto columns = ranking_columns(c, Reader::page);
-  // Rank, model, the other columns of a ranking, and before the last of those the metrics.
-  const auto row = [&](const HtmlTable::Cell& model, auto cell, auto metrics) {
+  const auto row = [&](const HtmlTable::Cell& model, auto cell) {
     Cells cells = {cell(*columns.front()), model};
-    for (std::size_t k = 1; k + 1 < columns.size(); ++k) cells.push_back(cell(*columns[k]));
-    metrics(cells);
-    cells.push_back(cell(*columns.back()));
+    for (std::size_t k = 1; k < columns.size(); ++k) cells.push_back(cell(*columns[k]));
     return cells;
   };
-  const auto nothing = [&](Cells& cells) { metric_columns(c, cells, [](std::size_t) { return std::string(); }); };
-  table.head(row(
-      column("model"), [](const Quantity& q) { return column(q.head, q.key != "score_ci", false, q.meaning); },
-      [&](Cells& cells) { metric_heads(c, cells); }));
-
+  table.head(row(column("model"), [](const Quantity& q) { return column(q.head, q.key != "score_ci", false, q.meaning); }));
   const Scale scale = score_scale(c);
   for (std::size_t k = 0; k < c.models.size(); ++k) {
     const ModelFit& r = c.models[k];
@@ -133,30 +148,30 @@ Html ranking(const Comparison& c) {
     for (const std::string& remark : remarks(r)) name += element("span", "flag", escaped(remark));
     const auto cell = [&](const Quantity& q) -> HtmlTable::Cell {
       const Certainty& sure = r.standing.certainty;
-      if (q.key == "score_ci") return {.content = interval_drawing(r.standing.score, sure.lower, sure.upper, scale.lower, scale.upper, k)};
-      return number_cell(q.print(r, Reader::page));
+      if (q.key != "score_ci") return number_cell(q.print(c, r, Reader::page));
+      Html drawn = interval_drawing(r.standing.score, sure.lower, sure.upper, scale.lower, scale.upper, k);
+      drawn += element("span", "n note", escaped(in_print(q.print(c, r, Reader::page))));
+      return {.content = drawn};
     };
-    const auto energies = [&](Cells& cells) { metric_columns(c, cells, [&](std::size_t m) { return fixed(r.runs.raw_energies[m], 2); }); };
-    table.row(row(name_cell(name), cell, energies), r.standing.rank == 1 ? "first" : "");
+    table.row(row(name_cell(name), cell), r.standing.rank == 1 ? "first" : "");
   }
   const Estimate& walker = c.recording.skill.walker;
   if (std::isfinite(walker.value)) {
     const auto cell = [&](const Quantity& q) {
-      return q.key == "skill" ? number_cell(plus_minus(walker.value, walker.se, 2)) : text_cell("");
+      return q.key == "skill" ? number_cell(with_error(walker.value, walker.se, 2)) : text_cell("");
     };
-    table.foot(row(name_cell(escaped(kWalk)), cell, nothing));
+    table.foot(row(name_cell(escaped(kWalk)), cell));
   }
-  const auto weights = [&](Cells& cells) {
-    metric_columns(c, cells, [&](std::size_t m) { return counts(c, m) ? fixed(c.ranking.weights[m], 3) : kUndefined; });
-  };
-  table.foot(row(
-      name_cell(markup("weight in the score")), [](const Quantity&) { return text_cell(""); }, weights));
   Html out = table.html();
-  for (const std::string& note :
-       {what_ranks_mean(c), what_held_out_means(c), what_drowned_means(c)})
+  for (const std::string& note : {what_ranks_mean(c), what_held_out_means(c)})
     if (!note.empty()) out += element("p", "note", escaped(note));
+  return out;
+}
+
+Html settings(const Comparison& c) {
+  Html out;
   if (const std::string fixed = kept_fixed(c); !fixed.empty())
-    out += element("p", "note", Html{"<b>Kept fixed</b>, not searched: " + escaped(unit_in_print(fixed)).text + "."});
+    out += element("p", "note", Html{"<b>Kept fixed</b>, not searched: " + escaped(fixed).text + "."});
   out += element("p", "note", Html{"<b>Simulation steps per frame</b>: " + escaped(steps_taken(c)).text + "."});
   return out;
 }
@@ -182,8 +197,8 @@ Html pdf_figures(const Comparison& c) {
     }
     out +=
         Html{fmt::format("<figure><h3>{0} {1}</h3><div class=\"canvas\"><canvas id=\"pdf-{2}\" role=\"img\" "
-                         "aria-label=\"Density of the {0}{4}\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
-                         name, symbol, c.recording.columns[m].key(), html_escaped(remark), whose(c))};
+                         "aria-label=\"Density of the {0}{4}. {5}\"></canvas></div><figcaption>{3}</figcaption></figure>\n",
+                         name, symbol, c.recording.columns[m].key(), html_escaped(remark), whose(c), html_escaped(finding(c, m)))};
   }
   return out;
 }
@@ -192,17 +207,17 @@ Html band_note(const Comparison& c) {
   if (c.models.empty() ||
       std::all_of(c.ranking.band.lower.begin(), c.ranking.band.lower.end(), [](const auto& bins) { return bins.empty(); }))
     return {};
-  return escaped(fmt::format(" Shaded band: where 95 % of single recordings made by {} lie, bin by bin; grey within it is no misfit.",
-                             c.models.front().model));
+  return escaped(
+      fmt::format(" Shaded band: range of 95 % of recordings simulated from {}, bin by bin; a recording inside the band is no misfit.",
+                  c.models.front().model));
 }
 
 Html pdf_note(const Comparison& c) {
   switch (c.recording.binning.normalisation) {
     case Normalisation::reference:
-      return escaped(
-          fmt::format("{} bins from {} to {} standard deviations of the recording about its mean{}. Axes are cut where nobody is.",
-                      c.recording.binning.bins, brief(c.recording.binning.lower), brief(c.recording.binning.upper),
-                      c.recording.binning.clip ? "; what lies outside is counted in the end bins" : ""));
+      return escaped(fmt::format("{} bins from {} to {} standard deviations of the recording about its mean{}. Empty ranges are not shown.",
+                                 c.recording.binning.bins, brief(c.recording.binning.lower), brief(c.recording.binning.upper),
+                                 c.recording.binning.clip ? "; values outside are counted in the end bins" : ""));
     case Normalisation::separate:
       return markup(
           "Every set is standardised by its own mean and standard deviation before it is compared: only the shape counts. The models are "
@@ -215,7 +230,10 @@ Html pdf_note(const Comparison& c) {
 }
 
 Html moments(const Comparison& c) {
-  HtmlTable table("Mean and standard deviation: of the recording, and of every model as a multiple of it");
+  HtmlTable table(
+      "Mean and standard deviation: of the recording, and of every model as a multiple of it; where the mean is near zero, its difference "
+      "in standard deviations");
+  table.look("frozen tight");
   Cells head = {column("model"), column("")};
   for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
     head.push_back(column(fmt::format("{} [{}]", marked(c, m, c.recording.columns[m].symbol()),
@@ -229,7 +247,7 @@ Html moments(const Comparison& c) {
   for (std::size_t k = 0; k < c.models.size(); ++k) {
     const ModelFit& r = c.models[k];
     Cells means = {name_cell(model_name(c, k)), text_cell("mean\u00a0×")}, sds = {text_cell(""), text_cell("sd\u00a0×")};
-    metric_columns(c, means, [&](std::size_t m) { return fixed(r.runs.mean_ratio[m], 2); });
+    metric_columns(c, means, [&](std::size_t m) { return mean_text(c, r, m); });
     metric_columns(c, sds, [&](std::size_t m) { return fixed(r.runs.sd_ratio[m], 2); });
     table.row(means).row(sds);
   }
@@ -237,7 +255,8 @@ Html moments(const Comparison& c) {
 }
 
 Html weights(const Comparison& c) {
-  HtmlTable table("Weights and normalisation: what a score is made of");
+  HtmlTable table("Weights and normalisation of the metrics");
+  table.look("frozen");
   Cells head = {column("")};
   metric_heads(c, head);
   table.head(head);
@@ -247,8 +266,8 @@ Html weights(const Comparison& c) {
     table.row(cells);
   };
   row(markup("weight"), c.ranking.weights);
-  row(markup("p1 (least energy)"), c.ranking.p1);
-  row(markup("p2 (range)"), c.ranking.p2);
+  row(markup("least energy (p1)"), c.ranking.p1);
+  row(markup("range of energies (p2)"), c.ranking.p2);
   for (const WeightStep& step : c.ranking.weight_history) row(escaped(fmt::format("weight, pass {}", step.pass)), step.weights);
   return table.html();
 }
@@ -258,7 +277,7 @@ Html lags(const Comparison& c) {
   if (c.ranking.lags.size() < 3) return out;
   HtmlTable table("Which lag carried the decision");
   table.head({column("lag", true), column("over", true), column("columns in the score", true), column("weight", true),
-              column("largest share of localisation error", true)});
+              column("largest share of measurement error", true)});
   for (const LagFacts& l : c.ranking.lags)
     table.row({number_cell(l.lag > 0 ? std::to_string(l.lag) : "d, η"),
                number_cell(l.lag > 0 ? fmt::format("{} s", brief(l.lag * c.recording.data.dt)) : kUndefined),
@@ -270,7 +289,7 @@ Html lags(const Comparison& c) {
 Html weights_converged(const Comparison& c) {
   if (c.ranking.weight_history.empty()) return {};
   const std::size_t passes = c.ranking.weight_history.size();
-  return escaped(fmt::format("{} after {} {} (largest change {}).", c.ranking.weights_converged ? "Settled" : "Not settled", passes,
+  return escaped(fmt::format("{} after {} {} (largest change {}).", c.ranking.weights_converged ? "Converged" : "Not converged", passes,
                              passes == 1 ? "pass" : "passes", rounded(c.ranking.weight_history.back().largest_change, 2)));
 }
 

@@ -9,9 +9,17 @@ namespace swarmfit::sections {
 
 Html badge(const Comparison&);  // "synthetic data"
 Html data_facts(const Comparison&);
-Html warnings(const Comparison&);  // nothing if there are none
-Html ranking(const Comparison&);
+Html warnings(const Comparison&);       // nothing if there are none
+Html ranking(const Comparison&);        // what decides, and what describes, one row per model
+Html result_figure(const Comparison&);  // models with what they are, paired intervals, letters, fit
+Html strip(const Comparison&);          // trajectories of the recording and the best model
+Html heat_map(const Comparison&);       // signed misfit, model by metric
+Html pictures(const Comparison&);       // recording beside every model; nothing without pictures
+Html quality(const Comparison&);        // of the tracks over time
+Html convergence(const Comparison&);
+Html posteriors(const Comparison&);   // nothing without samples
 Html motion(const Comparison&);       // films of the recording and every model, a section of its own; nothing without a film
+Html settings(const Comparison&);     // what was kept fixed, and the time step
 Html legend(const Comparison&);       // check boxes of the charts
 Html pdf_figures(const Comparison&);  // an empty canvas per column
 Html pdf_note(const Comparison&);

@@ -32,30 +32,31 @@ void metric_row(HtmlTable& table, const Comparison& c, const Html& title, Text t
 std::string interaction_text(const SkillFacts& s) {
   if (!std::isfinite(s.interaction_p[0])) return {};
   return fmt::format(
-      "Is there interaction to be seen? Against {} recordings made of the same tracks shifted in time, the distances to the nearest "
-      "neighbour have p = {}, the velocity differences p = {}.",
+      "Test for interaction, against {} surrogates with tracks shifted in time: nearest-neighbour distance p = {}, velocity difference "
+      "p = {}.",
       s.surrogates, fixed(s.interaction_p[0], 2), fixed(s.interaction_p[1], 2));
 }
 
 std::string memory_text(const SkillFacts& s) {
   if (!std::isfinite(s.memory_p)) return {};
   return fmt::format(
-      "Is there memory of direction to be seen? Against {} random walks of its own steps, all motion in the score together has p = {}.",
+      "Test for memory of direction, against {} random walks of its own steps: all motion metrics in the score together p = {}.",
       s.surrogates, fixed(s.memory_p, 2));
 }
 
 constexpr const char* kHowSkillIsMade =
-    "Skill = 1 − (D − floor)/(null − floor), D being the mean distance over the metrics of the score (over all if none of those tells "
-    "surrogates apart). The floor compares halves of the recording, the models and surrogates as many samples. The null is, for d and η, "
-    "the recording's own tracks shifted in time against each other (no interaction), for the others a random walk that makes the recorded "
-    "steps in shuffled directions. The walk keeps the recorded speeds, so v never tells them apart; a model that gets v wrong pays all the "
-    "same. Where the walk is as close to the recording as its halves are to each other, the null is its own places in random order, which "
-    "knows no steps.";
+    "Skill = 1 − (D − floor)/(null − floor). D is the mean distance from the recording over the metrics of the score (over all defined "
+    "metrics if none of these distinguishes surrogates). The floor is the distance between halves of the recording; models and surrogates "
+    "are measured with as many samples. For d and η the null is the recording's own tracks shifted in time (no interaction); for the other "
+    "metrics it is a random walk with the recorded steps in shuffled directions. The walk keeps the recorded speeds, so v never "
+    "distinguishes it; a model with a wrong v still loses skill. Where the walk is as close to the recording as its halves are to each "
+    "other, the null is the recording's positions in random order.";
 
 }  // namespace
 
 Html skill(const Comparison& c) {
   HtmlTable table("Distance to the recording (total variation, 0 to 1), half against half");
+  table.look("frozen");
   Cells head = {column("")};
   for (std::size_t m = 0; m < c.recording.columns.size(); ++m) head.push_back(column(c.recording.columns[m].symbol(), true, !counts(c, m)));
   table.head(head);
@@ -63,8 +64,8 @@ Html skill(const Comparison& c) {
   metric_row(table, c, markup("recording against itself (floor)"), [&](std::size_t m) { return fixed(s.floor[m], 3); });
   const bool places = s.null_of == SkillNull::places;
   metric_row(table, c, escaped(fmt::format("{}{}", kWalk, places ? "" : " (null)")), [&](std::size_t m) { return fixed(s.null[m], 3); });
-  if (places) metric_row(table, c, markup("its places in random order (null)"), [&](std::size_t m) { return fixed(s.places[m], 3); });
-  metric_row(table, c, markup("tells them apart"), [&](std::size_t m) { return std::string(s.informative[m] ? "yes" : "no"); });
+  if (places) metric_row(table, c, markup("its positions in random order (null)"), [&](std::size_t m) { return fixed(s.places[m], 3); });
+  metric_row(table, c, markup("distinguishes surrogates"), [&](std::size_t m) { return std::string(s.informative[m] ? "yes" : "no"); });
   for (std::size_t k = 0; k < c.models.size(); ++k) {
     Html name = key_drawing(k);
     name += escaped(c.models[k].model);
@@ -79,13 +80,13 @@ Html skill(const Comparison& c) {
 
 Html without(const Comparison& c) {
   if (c.ranking.without.empty()) return {};
-  HtmlTable table("The ranking if one model had not been compared");
+  HtmlTable table("Ranking with one model left out");
   table.head({column("without"), column("ranking of the others (score)"), column("order")});
   for (const LeftOut& w : c.ranking.without) {
     std::string ranking;
     for (const auto& [model, score] : w.ranking) ranking += fmt::format("{}{} ({})", ranking.empty() ? "" : ", ", model, fixed(score, 3));
     table.row({name_cell(escaped(w.model)), text_cell(ranking),
-               text_cell(w.winner_changed ? "another winner"
+               text_cell(w.winner_changed ? "another best model"
                          : w.reordered    ? "changed"
                                           : "the same")});
   }
@@ -93,7 +94,8 @@ Html without(const Comparison& c) {
 }
 
 Html panel(const Comparison& c) {
-  HtmlTable table("Beside the metrics");
+  HtmlTable table("Observables outside the score");
+  table.look("frozen");
   Cells head = {column("observable"), column("unit"), column("recording", true)};
   for (const ModelFit& r : c.models) head.push_back(column(r.model, true));
   table.head(head);
@@ -111,8 +113,8 @@ Html panel(const Comparison& c) {
   out += element(
       "p", "note",
       markup("± is one standard error: of the recording over blocks of time, of a model over its final replicates. Pale: more than "
-             "two standard errors from the recording. No search saw any of them, but for mean speed and mean distance to the nearest "
-             "neighbour, which are in the score as distributions. The curves of the velocity autocorrelation are in tables/vacf.csv."));
+             "two standard errors from the recording. None was fitted directly; mean speed and mean nearest-neighbour distance are in "
+             "the score as distributions. Velocity autocorrelations are in tables/vacf.csv."));
   return out;
 }
 

@@ -234,7 +234,7 @@ std::string to_json(const Comparison& c) {
                {"calibration", c.ranking.mean_weights ? "mean" : "last"},
                {"weight_history", weight_history(c.recording.columns, c.ranking.weight_history)},
                {"models", std::move(models)},
-               {"warnings", c.warnings},
+               {"warnings", std::vector<std::string>(c.warnings.begin(), c.warnings.end())},
                {"config", config(c.run.config)}};
   add_skill(full, c);
   return text(full);

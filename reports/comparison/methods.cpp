@@ -27,7 +27,7 @@ constexpr const char* kNlopt =
     "Johnson SG (2007) The NLopt nonlinear-optimization package. github.com/stevengj/nlopt (refinement: Nelder–Mead inside bounds)";
 constexpr const char* kCook1994 =
     "Cook JR, Stefanski LA (1994) Simulation-extrapolation estimation in parametric measurement error models. J Am Stat Assoc 89(428): "
-    "1314–1328. doi:10.1080/01621459.1994.10476871 (share of localisation error)";
+    "1314–1328. doi:10.1080/01621459.1994.10476871 (share of measurement error)";
 constexpr const char* kFearnhead2012 =
     "Fearnhead P, Prangle D (2012) Constructing summary statistics for approximate Bayesian computation: semi-automatic approximate "
     "Bayesian computation. J R Stat Soc B 74(3): 419–474. doi:10.1111/j.1467-9868.2011.01010.x (starting points, posterior)";
@@ -49,7 +49,7 @@ std::string what_was_done(const Comparison& c) {
   const std::string models = fmt::format("{} model{}", c.models.size(), c.models.size() == 1 ? " was" : "s were");
   const std::string error = c.recording.observation.error_source == "none" || c.recording.observation.sigma.isZero()
                                 ? ""
-                                : fmt::format(", localisation error ({})", sigma_text(c));
+                                : fmt::format(", measurement error ({})", sigma_text(c));
   const std::string smooth =
       c.recording.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.recording.observation.smoothing)) : "";
   const int scouts = b.scout.rounds * b.scout.simulations;
@@ -65,18 +65,18 @@ std::string what_was_done(const Comparison& c) {
       "recording's positions and velocities under its conditions (presence: {}, arena: {}{}{}). Parameters were searched by differential "
       "evolution with refinement inside bounds [3, 4]{} ({} replicates per candidate, budget {}), maximising the entropy-weighted score of "
       "{} "
-      "[1, 2]; the leaders were searched again with {} replicates and the best of them compared on {} others; final scores rest on {} "
+      "[1, 2]; the best candidates were searched again with {} replicates and compared on {} others; final scores rest on {} "
       "fresh "
       "replicates.{} Seed {}.",
-      models, c.run.version, c.recording.data.frames, c.recording.data.path, brief(c.recording.data.individuals_per_frame, 3),
+      models, c.run.version, c.recording.data.frames, file_name(c.recording.data.path), brief(c.recording.data.individuals_per_frame, 3),
       brief(c.recording.data.dt), c.recording.data.synthetic ? ", synthetic" : "", c.recording.observation.presence,
-      c.recording.observation.arena, error, smooth, scouted, b.search.replicates, b.name, metrics_text(c), b.selection.replicates,
+      c.recording.observation.arena, error, smooth, scouted, b.search.replicates, budget_text(c), metrics_text(c), b.selection.replicates,
       b.confirmation_replicates, b.final_replicates, kept, c.run.seed);
 }
 
 constexpr const char* kMetricsDefined =
     "Per individual and frame, with velocities v(k) = (p(k+1) − p(k))/dt: speed v, acceleration a, angular velocity ω, angular "
-    "acceleration α, Cartesian jerk μ, distance d to the nearest neighbour, and velocity difference η = | |v(nearest)| − |v| | / d. "
+    "acceleration α, jerk μ, distance d to the nearest neighbour, and velocity difference η = | |v(nearest)| − |v| | / d. "
     "Nothing is differenced across a gap.";
 
 std::string how_it_is_measured(const Comparison& c) {
@@ -84,10 +84,10 @@ std::string how_it_is_measured(const Comparison& c) {
       c.recording.binning.pooled
           ? "its energy is the L1 distance Σ |Q − Q'| between the recording and all replicates pooled [1]"
           : "its energy is the energy score of the recording, the mean L1 distance Σ |Q − Q'| between recording and replicates "
-            "less half its mean between two replicates [7]";
+            "minus half its mean between two replicates [7]";
   return fmt::format(
       "{} Each metric becomes a discrete density Q; {}, normalised over the models as (energy − p1)/p2 with p1 the least and p2 "
-      "the range. Weights follow from the entropy of the normalised energies, and the search is repeated until they settle.",
+      "the range. Weights follow from the entropy of the normalised energies, and the search is repeated until they converge.",
       kMetricsDefined, energy);
 }
 
@@ -121,7 +121,7 @@ std::string lags_measured_at(const Evaluation& e) {
 
 Methods methods(const Evaluation& e, bool recorded_velocities, const std::string& version) {
   return {
-      {fmt::format("{} was compared with {} by swarmfit {}.", e.simulated.from.path, e.real.from.path, version),
+      {fmt::format("{} was compared with {} by swarmfit {}.", file_name(e.simulated.from.path), file_name(e.real.from.path), version),
        fmt::format("{}{}{} Each metric becomes a discrete density Q of {} bins, {}; its energy is the L1 distance Σ |Q − Q'| [1].",
                    kMetricsDefined, lags_measured_at(e), recorded_velocities ? " Velocities are the files' own." : "", e.binning.bins,
                    binning_text(e.binning)),

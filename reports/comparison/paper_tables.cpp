@@ -50,20 +50,14 @@ Row metric_row(const Columns& columns, std::string name, Value&& value) {
   return row;
 }
 
-std::string with_error(double value, double error, int decimals) {
-  const std::string text = fixed(value, decimals);
-  return std::isfinite(error) ? text + " ± " + fixed(error, decimals) : text;
-}
-
 std::string rank_text(int rank) { return rank > 0 ? std::to_string(rank) : kUndefined; }
 
 PaperTable ranking(const Comparison& c) {
-  PaperTable t{
-      "ranking",
-      "Models by entropy-weighted score E (higher is better), with its 95 % interval over recordings as long as this one, the group "
-      "(models with the same letter cannot be told apart; model confidence set, 95 %), the goodness-of-fit p, and the skill. ",
-      {"model"},
-      {}};
+  PaperTable t{"ranking",
+               "Models by entropy-weighted score E (higher is better), with its 95 % interval across recordings of this length, the group "
+               "(models with the same letter are not distinguishable; model confidence set, 95 %), the goodness-of-fit p, and the skill. ",
+               {"model"},
+               {}};
   const auto columns = ranking_columns(c, Reader::page);
   for (const Quantity* q : columns) t.head.emplace_back(q->head);
   if (const std::string skill = what_skill_means(c); !skill.empty()) t.caption += "Skill: " + skill + ' ';
@@ -71,7 +65,7 @@ PaperTable ranking(const Comparison& c) {
   t.caption += origin(c);
   for (const ModelFit& r : c.models) {
     Row row = {r.model};
-    for (const Quantity* q : columns) row.push_back(in_print(q->print(r, Reader::page)));
+    for (const Quantity* q : columns) row.push_back(in_print(q->print(c, r, Reader::page)));
     t.rows.push_back(std::move(row));
   }
   const Estimate& walker = c.recording.skill.walker;
@@ -99,14 +93,15 @@ PaperTable scales(const Comparison& c) {
 PaperTable energies(const Comparison& c, const Columns& columns) {
   PaperTable t{"energies" + columns.suffix,
                "Raw energies (" + what_energy_means(c) +
-                   "), ± one standard error, the p1 and p2 that normalise them, and their weights in the score. " + columns.title +
-                   origin(c),
+                   "), ± one standard error, their least value and range over the models (p1 and p2, which normalise them), and their "
+                   "weights in the score. " +
+                   columns.title + origin(c),
                metric_head(c, columns, {"model"}),
                {}};
   for (const ModelFit& r : c.models)
     t.rows.push_back(metric_row(columns, r.model, [&](std::size_t m) { return with_error(r.runs.raw_energies[m], r.runs.raw_se[m], 3); }));
-  t.rows.push_back(metric_row(columns, "p1", [&](std::size_t m) { return fixed(c.ranking.p1[m], 4); }));
-  t.rows.push_back(metric_row(columns, "p2", [&](std::size_t m) { return fixed(c.ranking.p2[m], 4); }));
+  t.rows.push_back(metric_row(columns, "least (p1)", [&](std::size_t m) { return fixed(c.ranking.p1[m], 4); }));
+  t.rows.push_back(metric_row(columns, "range (p2)", [&](std::size_t m) { return fixed(c.ranking.p2[m], 4); }));
   t.rows.push_back(
       metric_row(columns, "weight", [&](std::size_t m) { return counts(c, m) ? fixed(c.ranking.weights[m], 4) : kUndefined; }));
   return t;
@@ -131,14 +126,15 @@ PaperTable parameters(const Comparison& c) {
                            c.recording.hold_out.used() ? " Halves: smallest and largest value of the fits to halves of the recording." : "",
                            posterior ? " 95 %: central interval of the posterior." : "") +
                    origin(c),
-               {"model", "parameter", "value", "halves", "95 %", "unit", "lower", "upper"},
+               {"model", "parameter", "symbol", "value", "halves", "95 %", "unit", "lower", "upper"},
                {},
-               "llrrrlrr"};
+               "lllrrrlrr"};
   for (const ModelFit& r : c.models)
     for (const ParameterResult& p : r.parameters)
       if (p.fitted)
-        t.rows.push_back({r.model, p.name, in_print(rounded(p.value, 4)) + (p.at_bound ? " *" : ""), in_print(halves_text(p)), in_print(interval_text(p.posterior)),
-                          unit_in_print(p.unit), in_print(rounded(p.lower)), in_print(rounded(p.upper))});
+        t.rows.push_back({r.model, p.name, p.symbol, in_print(rounded(p.value, 4)) + (p.at_bound ? " *" : ""), in_print(halves_text(p)),
+                          in_print(interval_text(p.posterior)), unit_in_print(p.unit), in_print(rounded(p.lower)),
+                          in_print(rounded(p.upper))});
   return t;
 }
 

@@ -18,15 +18,14 @@ std::int64_t fitted_parameters(const ModelFit& m) {
   return std::count_if(m.parameters.begin(), m.parameters.end(), [](const ParameterResult& p) { return p.fitted; });
 }
 
-std::string rank_and_group(const ModelFit& m, Reader) {
+std::string rank_and_group(const Comparison&, const ModelFit& m, Reader) {
   return m.standing.rank > 0 ? fmt::format("{} {}", m.standing.rank, group_letter(m)) : kUndefined;
 }
 
 // With its standard error where there is room.
-std::string skill_text(const ModelFit& m, Reader reader) {
+std::string skill_text(const Comparison&, const ModelFit& m, Reader reader) {
   const Estimate& skill = m.likeness.skill;
-  const std::string value = fixed(skill.value, 2);
-  return reader == Reader::terminal || !std::isfinite(skill.se) ? value : value + " ± " + fixed(skill.se, 2);
+  return reader == Reader::terminal ? fixed(skill.value, 2) : with_error(skill.value, skill.se, 2);
 }
 
 }  // namespace
@@ -36,31 +35,31 @@ const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all = {
       {"rank", "1 is best", [](const ModelFit& m) { return place(m.standing.rank); }, "rank", Reader::terminal, rank_and_group},
       {"score", "E, the weighted score that decides: higher is better", [](const ModelFit& m) -> Value { return m.standing.score; }, "score",
-       Reader::terminal, [](const ModelFit& m, Reader) { return fixed(m.standing.score, 3); }},
-      {"score_ci", "95 % interval of the score over recordings as long as this one",
+       Reader::terminal, [](const Comparison&, const ModelFit& m, Reader) { return fixed(m.standing.score, 3); }},
+      {"score_ci", "95 % interval of the score across recordings of this length",
        [](const ModelFit& m) -> Value {
          return Interval{m.standing.certainty.lower, m.standing.certainty.upper};
        },
-       "95 %", Reader::terminal, [](const ModelFit& m, Reader) { return score_interval(m); }},
+       "95 %", Reader::terminal, [](const Comparison&, const ModelFit& m, Reader) { return score_interval(m); }},
       {"lead_ci", "95 % interval of the first model's lead over this one",
        [](const ModelFit& m) -> Value {
          return Interval{m.standing.certainty.lead_lower, m.standing.certainty.lead_upper};
        }},
-      {"group", "models of one group cannot be told apart; 1 is the best",
+      {"group", "models of one group are not distinguishable; 1 is the best",
        [](const ModelFit& m) { return place(m.standing.certainty.group); }},
       {"set_p", "p at which the model leaves the model confidence set",
        [](const ModelFit& m) -> Value { return m.standing.certainty.set_p; }},
-      {"gof_p", "goodness of fit: share of the model's own recordings that are as far from it as this one is",
+      {"gof_p", "goodness of fit: fraction of recordings simulated from the model that fit it no better than this one",
        [](const ModelFit& m) -> Value { return m.standing.certainty.goodness_p; }, "fit p", Reader::terminal,
-       [](const ModelFit& m, Reader) { return fixed(m.standing.certainty.goodness_p, 2); }},
+       [](const Comparison& c, const ModelFit& m, Reader) { return fit_p(c, m); }},
       {"gof_q", "gof_p, adjusted for the number of models (false discovery rate)",
        [](const ModelFit& m) -> Value { return m.standing.certainty.goodness_q; }},
-      {"skill", "1: as close as halves of the recording, 0: no closer than a random walk of its own steps",
+      {"skill", "1: as close as two halves of the recording, 0: no better than randomised tracks",
        [](const ModelFit& m) -> Value { return m.likeness.skill.value; }, "skill", Reader::terminal, skill_text},
       {"skill_se", "standard error of the skill over final replicates", [](const ModelFit& m) -> Value { return m.likeness.skill.se; }},
       {"in_sample.score", "score of the fit to the whole recording, on that recording",
        [](const ModelFit& m) -> Value { return m.standing.in_sample.score; }, "in sample", Reader::terminal,
-       [](const ModelFit& m, Reader) { return fixed(m.standing.in_sample.score, 3); }},
+       [](const Comparison&, const ModelFit& m, Reader) { return fixed(m.standing.in_sample.score, 3); }},
       {"in_sample.score_se", "its standard error, over single final replicates",
        [](const ModelFit& m) -> Value { return m.standing.in_sample.score_se; }},
       {"in_sample.rank", "rank by the score in sample", [](const ModelFit& m) { return place(m.standing.in_sample.rank); }},
@@ -82,16 +81,16 @@ const std::vector<Quantity>& quantities() {
        "repeats",
        [](const ModelFit& m) -> Value { return m.standing.held_out.nearness.ratio(); }},
       {"n_parameters", "parameters that were fitted", [](const ModelFit& m) -> Value { return fitted_parameters(m); }, "fitted",
-       Reader::terminal, [](const ModelFit& m, Reader) { return std::to_string(fitted_parameters(m)); }},
+       Reader::terminal, [](const Comparison&, const ModelFit& m, Reader) { return std::to_string(fitted_parameters(m)); }},
       {"evaluations", "candidates simulated", [](const ModelFit& m) -> Value { return m.search.evaluations; }, "candidates", Reader::page,
-       [](const ModelFit& m, Reader) { return counted(m.search.evaluations); }},
+       [](const Comparison&, const ModelFit& m, Reader) { return counted(m.search.evaluations); }},
       {"simulations", "runs: candidates × replicates, the final ones included",
        [](const ModelFit& m) -> Value { return m.search.simulations; }},
-      {"failed_simulations", "runs that blew up", [](const ModelFit& m) -> Value { return m.search.failed_simulations; }},
-      {"failed_final", "share of the final replicates that blew up", [](const ModelFit& m) -> Value { return m.runs.failed_final; }},
+      {"failed_simulations", "runs that diverged", [](const ModelFit& m) -> Value { return m.search.failed_simulations; }},
+      {"failed_final", "share of the final replicates that diverged", [](const ModelFit& m) -> Value { return m.runs.failed_final; }},
       {"n_sub", "simulation steps per frame", [](const ModelFit& m) -> Value { return std::int64_t{m.runs.steps}; }},
-      {"map", "decides once per step: at another step it is another model", [](const ModelFit& m) -> Value { return m.runs.map; }},
-      {"steps_settled", "half the step changes no energy by more than chance",
+      {"map", "a map: one step per frame by definition", [](const ModelFit& m) -> Value { return m.runs.map; }},
+      {"steps_settled", "halving the time step changes no energy by more than chance",
        [](const ModelFit& m) -> Value { return m.runs.steps_settled; }},
       {"infeasible_avoidance", "share of agent-steps without a collision-free velocity",
        [](const ModelFit& m) -> Value { return m.runs.infeasible_avoidance; }},
@@ -120,7 +119,7 @@ const std::vector<ColumnQuantity>& column_quantities() {
   static const std::vector<ColumnQuantity> all = {
       {"raw_energies", "raw", "raw energy of the pooled final replicates", [](M m) -> P { return m.runs.raw_energies; }},
       {"raw_energies_se", "raw_se", "its standard error over single replicates", [](M m) -> P { return m.runs.raw_se; }},
-      {"own_energies", "own", "mean raw energy of the model's own recordings: what a perfect model would have",
+      {"own_energies", "own", "mean raw energy of recordings simulated from the model: expected if it were true",
        [](M m) -> P { return m.standing.certainty.own; }},
       {"energies", "normalised", "(raw - p1)/p2, 0 where p2 = 0", [](M m) -> P { return m.standing.energies; }},
       {"half_step_energies", "half_step", "raw energy at half the time step", [](M m) -> P { return m.runs.half_step_energies; }},

@@ -26,9 +26,9 @@ struct Quantity {
   std::string_view key;      // "held_out.score" is a key of the object held_out, and held_out_score in tables; intervals end in _ci
   std::string_view meaning;  // a sentence without its full stop
   Value (*of)(const ModelFit&);
-  std::string_view head{};                                         // in rankings
-  Reader first = Reader::nobody;                                   // of the readers who see it there
-  std::string (*print)(const ModelFit&, Reader reader) = nullptr;  // for them
+  std::string_view head{};                                                            // in rankings
+  Reader first = Reader::nobody;                                                      // of the readers who see it there
+  std::string (*print)(const Comparison&, const ModelFit&, Reader reader) = nullptr;  // for them
 };
 
 const std::vector<Quantity>& quantities();

@@ -28,8 +28,7 @@ std::string data_line(const DataFacts& d) {
 
 Paint paint_of(const ModelFit& r) { return r.standing.rank == 1 ? Paint::good : Paint::plain; }
 
-TextTable ranking_table(const Comparison& c, TextStyle style) {
-  const auto columns = ranking_columns(c, Reader::terminal);
+TextTable ranking_table(const Comparison& c, const std::vector<const Quantity*>& columns, TextStyle style) {
   const auto row = [](const std::string& first, const std::string& model, const auto& rest) {
     std::vector<std::string> cells = {first, model};
     for (std::size_t k = 1; k < rest.size(); ++k) cells.push_back(rest[k]);
@@ -46,14 +45,28 @@ TextTable ranking_table(const Comparison& c, TextStyle style) {
   const auto heads = cells_of([](const Quantity& q) { return std::string(q.head); });
   table.row(row(heads.front(), "model", heads), Paint::bold);
   for (const ModelFit& r : c.models) {
-    const auto cells = cells_of([&](const Quantity& q) { return q.print(r, Reader::terminal); });
+    const auto cells = cells_of([&](const Quantity& q) { return q.print(c, r, Reader::terminal); });
     table.row(row(cells.front(), r.model + (at_bounds(r).empty() ? "" : " *"), cells), paint_of(r));
   }
   const Estimate& walker = c.recording.skill.walker;
   if (std::isfinite(walker.value))
-    table.row(row("", std::string(kWalk), cells_of([&](const Quantity& q) { return q.key == "skill" ? fixed(walker.value, 2) : ""; })),
+    table.row(row("", "random walk", cells_of([&](const Quantity& q) { return q.key == "skill" ? fixed(walker.value, 2) : ""; })),
               Paint::dim);
   return table;
+}
+
+// As many columns as fit; the last are left out first.
+std::string ranking_lines(const Comparison& c, TextStyle style) {
+  auto columns = ranking_columns(c, Reader::terminal);
+  std::vector<std::string> left_out;
+  while (columns.size() > 2 && ranking_table(c, columns, style).width() > kTextWidth) {
+    left_out.emplace_back(columns.back()->head);
+    columns.pop_back();
+  }
+  std::reverse(left_out.begin(), left_out.end());
+  std::string out = ranking_table(c, columns, style).text();
+  if (!left_out.empty()) out += paragraph(fmt::format("Too wide for this line: {}; see report.html.", enumerate(left_out)), " ");
+  return out;
 }
 
 // The columns of one lag; d and eta, which have none, beside those of the first.
@@ -64,8 +77,7 @@ TextTable energy_table(const Comparison& c, std::size_t first, TextStyle style) 
   TextTable table(align, style);
   const int lag = c.recording.columns[first].lag;
   const bool several = c.recording.columns.size() > kMetrics;
-  std::vector<std::string> head = {several ? fmt::format("raw energy at lag {}, {} s", lag, brief(lag * c.recording.data.dt))
-                                           : "raw energy"};
+  std::vector<std::string> head = {several ? fmt::format("energy, {}", lag_name(c, lag)) : "energy"};
   std::vector<std::string> weights = {"weight in score"};
   for (std::size_t m = first; m < first + count; ++m) {
     head.push_back(marked(c, m, symbol_of(c.recording.columns[m], style)));
@@ -84,7 +96,7 @@ TextTable energy_table(const Comparison& c, std::size_t first, TextStyle style) 
 std::string energy_tables(const Comparison& c, TextStyle style) {
   std::string out;
   for (std::size_t first = 0; first < c.recording.columns.size(); first += first == 0 ? kMetrics : kMotionMetrics)
-    out += '\n' + energy_table(c, first, style).text();
+    out += '\n' + energy_table(c, first, style).folded();
   return out;
 }
 
@@ -141,7 +153,7 @@ std::string panel_text(const Comparison& c, TextStyle style) {
   };
   row("recording", c.recording.panel.recording, Paint::plain);
   for (const ModelFit& r : c.models) row(r.model, r.likeness.panel, r.standing.rank == 1 ? Paint::good : Paint::plain);
-  return '\n' + table.text();
+  return '\n' + table.folded();
 }
 
 // The fitted parameters of every model; those with a posterior are shown with it.
@@ -163,13 +175,13 @@ std::string posterior_text(const Comparison& c, TextStyle style) {
   for (const ModelFit& r : c.models) {
     if (r.posterior.simulations == 0) continue;
     TextTable table({Align::left, Align::right, Align::right, Align::right, Align::left, Align::left, Align::left}, style);
-    table.row({r.model, "best", "median", "95 %", "unit", "verdict", "goes with"}, Paint::bold);
+    table.row({r.model, "best", "median", "95 %", "unit", "verdict", "correlated with"}, Paint::bold);
     for (const ParameterResult& p : r.parameters)
       if (!p.posterior.verdict.empty())
-        table.row({p.name, rounded(p.value), rounded(p.posterior.median), interval_text(p.posterior), p.unit, p.posterior.verdict,
-                   partner_text(p.posterior)},
+        table.row({p.name, rounded(p.value), rounded(p.posterior.median), interval_text(p.posterior), unit_in_print(p.unit),
+                   verdict_text(p), partner_text(p.posterior)},
                   p.posterior.verdict == "flat" ? Paint::dim : Paint::plain);
-    out += '\n' + table.text();
+    out += '\n' + table.folded();
   }
   if (!out.empty()) out += paragraph(what_posteriors_mean(), " ");
   return out;
@@ -198,34 +210,56 @@ std::vector<std::string> failures(const Comparison& c) {
   return out;
 }
 
-}  // namespace
-
-std::string ranking_text(const Comparison& c, TextStyle style) {
-  const Headline answer = headline(c);
-  std::string out = paragraph(data_line(c.recording.data)) + '\n';
-  out += paint(wrapped(printable(answer.sentence), kTextWidth), Paint::bold, style) + '\n';
-  out += paragraph(answer.detail) + '\n';
-
-  out += ranking_table(c, style).text();
-  if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
-  if (const std::string ranks = what_ranks_mean(c); !ranks.empty()) out += paragraph(ranks, " ");
-  if (const std::string scores = what_held_out_means(c); !scores.empty()) out += paragraph(scores, " ");
-  if (const std::string skill = what_skill_means(c); !skill.empty()) out += paragraph("skill: " + skill, " ");
-  out += parameters_text(c, style);
+// What the page shows as well.
+std::string details(const Comparison& c, TextStyle style) {
+  std::string out = parameters_text(c, style);
   if (const std::string fixed = kept_fixed(c); !fixed.empty()) out += paragraph("kept fixed: " + fixed, " ");
   out += paragraph("steps per frame: " + steps_taken(c), " ");
-
   out += energy_tables(c, style);
-  out += paragraph("raw energy: " + what_energy_means(c), " ");
+  out += paragraph("energy: " + what_energy_means(c), " ");
   if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += paragraph(drowned, " ");
   if (const std::string lags = lag_weights(c) + lags_measured(c); !lags.empty()) out += paragraph(lags, " ");
   out += shapes_of(c, style);
   out += panel_text(c, style);
   out += posterior_text(c, style);
+  out += bullets("In brackets: not in the score", left_out(c, style), Paint::bold, style);
+  return out + bullets("Simulations that diverged (counted as the worst energy)", failures(c), Paint::warning, style);
+}
 
-  out += bullets("In brackets: shown, but left out of the score", left_out(c, style), Paint::bold, style);
-  out += bullets("Simulations that blew up (counted as the worst energy)", failures(c), Paint::warning, style);
-  out += bullets("Before you believe this table", c.warnings, Paint::warning, style);
+// The gravest, or all by gravity.
+std::string warnings(const Comparison& c, TextStyle style, Detail detail) {
+  constexpr std::size_t kFew = 3;
+  std::string out;
+  if (detail == Detail::all) {
+    for (const Gravity gravity : {Gravity::result, Gravity::meaning, Gravity::note}) {
+      std::vector<std::string> some;
+      for (const Warning& w : c.warnings)
+        if (w.gravity == gravity) some.push_back(w.text);
+      out += bullets(std::string(gravity_title(gravity)), some, gravity == Gravity::note ? Paint::bold : Paint::warning, style);
+    }
+    return out;
+  }
+  const std::size_t shown = std::min(kFew, c.warnings.size());
+  const std::vector<std::string> gravest(c.warnings.begin(), c.warnings.begin() + static_cast<std::ptrdiff_t>(shown));
+  out += bullets(c.warnings.size() > shown ? fmt::format("Warnings (the gravest {} of {})", shown, c.warnings.size()) : "Warnings", gravest,
+                 Paint::warning, style);
+  return out + '\n' + paragraph("All warnings, energies and parameters: report.html, or --verbose.");
+}
+
+}  // namespace
+
+std::string ranking_text(const Comparison& c, TextStyle style, Detail detail) {
+  const Headline answer = headline(c);
+  std::string out = paragraph(data_line(c.recording.data)) + '\n';
+  out += paint(wrapped(printable(answer.sentence), kTextWidth), Paint::bold, style) + '\n';
+  out += paragraph(answer.detail) + '\n';
+  out += ranking_lines(c, style);
+  if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
+  if (const std::string ranks = what_ranks_mean(c); !ranks.empty()) out += paragraph(ranks, " ");
+  if (const std::string scores = what_held_out_means(c); !scores.empty()) out += paragraph(scores, " ");
+  if (const std::string skill = what_skill_means(c); !skill.empty()) out += paragraph("skill: " + skill, " ");
+  if (detail == Detail::all) out += details(c, style);
+  out += warnings(c, style, detail);
   return finished(std::move(out), style);
 }
 

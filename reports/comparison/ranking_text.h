@@ -11,9 +11,11 @@
 
 namespace swarmfit {
 
-// The ranked table: the answer in a sentence, then per model its score with interval and group, its skill and the raw energy of every
-// metric; the weights beneath; a few observables that were not fitted; what was left out and why; warnings.
-std::string ranking_text(const Comparison&, TextStyle);
+enum class Detail { few, all };
+
+// The answer in a sentence, the ranking, and the three gravest warnings. With all: also energies and weights, distributions, a few
+// observables that were not fitted, posteriors, what was left out and why, and all warnings by gravity.
+std::string ranking_text(const Comparison&, TextStyle, Detail detail = Detail::few);
 
 std::string weights_text(const WeighedTable&, TextStyle);  // entropy weights and scores of a table
 

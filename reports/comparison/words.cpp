@@ -16,8 +16,7 @@ namespace swarmfit {
 
 namespace {
 
-// Of the metrics that count, the one in which the winner is farthest from the recording: beyond what its own recordings have, if that is
-// known.
+// Of the metrics that count, the one with the largest energy in excess of what a true model would have, if that is known.
 std::string main_misfit(const Comparison& c, const ModelFit& winner) {
   const Energies& own = winner.standing.certainty.own;
   const auto excess = [&](std::size_t m) { return winner.runs.raw_energies[m] - (m < own.size() && std::isfinite(own[m]) ? own[m] : 0); };
@@ -28,9 +27,9 @@ std::string main_misfit(const Comparison& c, const ModelFit& winner) {
   if (worst == none) return {};
   const std::string energy = fixed(winner.runs.raw_energies[worst], 2);
   if (worst < own.size() && std::isfinite(own[worst]))
-    return fmt::format("Its largest misfit is in the {} (energy {}, its own recordings {}).", c.recording.columns[worst].name(), energy,
-                       fixed(own[worst], 2));
-  return fmt::format("Its largest misfit is in the {} (energy {} of at most {}).", c.recording.columns[worst].name(), energy,
+    return fmt::format("{} fits {} worst: energy {}, against {} expected if {} were true.", winner.model, c.recording.columns[worst].name(),
+                       energy, fixed(own[worst], 2), winner.model);
+  return fmt::format("{} fits {} worst: energy {} of at most {}.", winner.model, c.recording.columns[worst].name(), energy,
                      brief(worst_energy(c.recording.binning)));
 }
 
@@ -39,26 +38,26 @@ std::string p_text(double p, int laws) {
   return p * (1 + laws) < 1.5 ? fmt::format("p ≤ {}", brief(p, 2)) : fmt::format("p = {}", brief(p, 2));
 }
 
-// What nobody needs a metric for, and refutes the model all the same.
+// Observables outside the score that contradict the model.
 std::string refuted(const ModelFit& r) {
   std::vector<std::string> facts;
   for (const Refutation& f : r.likeness.refuted_by) facts.push_back(f.item.key == "vacf_zero" ? "memory of direction" : f.item.name);
-  return facts.empty() ? std::string() : fmt::format("What anybody sees refutes it: {}.", enumerate(facts));
+  return facts.empty() ? std::string() : fmt::format("Simple observables contradict it: {}.", enumerate(facts));
 }
 
 bool explains(const ModelFit& r) { return r.standing.certainty.goodness_q > kAlpha; }
 
-// Is the recording one that the model could have made?
+// Would the model make recordings like this one?
 std::string goodness(const Comparison& c, const ModelFit& r) {
   const double p = r.standing.certainty.goodness_p;
   if (!std::isfinite(p)) return {};
-  const bool could = explains(r);
-  return fmt::format("The recording lies {} {} than recordings made by it ({}).", could ? "no farther from" : "farther from", r.model,
-                     p_text(p, c.ranking.laws));
+  const std::string how = p_text(p, c.ranking.laws);
+  if (explains(r)) return fmt::format("The recording is as close to {0} as recordings simulated from {0} are ({1}).", r.model, how);
+  return fmt::format("The recording is farther from {0} than recordings simulated from {0} are ({1}).", r.model, how);
 }
 
 // May be true of the best model, too.
-bool none_explains(const std::vector<const ModelFit*>& scored) {
+bool all_rejected(const std::vector<const ModelFit*>& scored) {
   return std::all_of(scored.begin(), scored.end(),
                      [](const ModelFit* r) { return std::isfinite(r->standing.certainty.goodness_q) && !explains(*r); });
 }
@@ -83,19 +82,19 @@ std::string join(const std::vector<std::string>& sentences) {
 Headline single(const Comparison& c, const ModelFit& only) {
   return {Verdict::single,
           fmt::format("{} is the only model here, so there is nothing to rank.{}", only.model,
-                      none_explains({&only}) ? " It does not explain the recording." : ""),
-          join({"A score compares models with each other; alone, judge the fit by its raw energies and distributions.", goodness(c, only),
-                refuted(only), main_misfit(c, only)})};
+                      all_rejected({&only}) ? " It is rejected (p ≤ 0.05)." : ""),
+          join({"A score compares models; judge a single fit by its energies and distributions.", goodness(c, only), refuted(only),
+                main_misfit(c, only)})};
 }
 
 Headline tied(const Comparison& c, const std::vector<std::string>& together, const std::vector<const ModelFit*>& scored) {
   const ModelFit &first = *scored[0], &second = *scored[1];
   return {
       Verdict::tie,
-      none_explains(scored)
-          ? fmt::format("None of these models explains the recording. {} come closest and cannot be told apart.", enumerate(together))
-          : fmt::format("{} cannot be told apart with this recording and budget.", enumerate(together)),
-      join({fmt::format("{} has the highest score, but leads {} by only {}, no more than chance does ({}).", first.model, second.model,
+      all_rejected(scored)
+          ? fmt::format("Every fitted model is rejected (p ≤ 0.05); {} are least wrong and not distinguishable.", enumerate(together))
+          : fmt::format("{} are not distinguishable with this recording and budget.", enumerate(together)),
+      join({fmt::format("{} has the highest score, but its lead over {}, {}, is within chance ({}).", first.model, second.model,
                         fixed(first.standing.score - second.standing.score, 3), p_text(second.standing.certainty.set_p, c.ranking.laws)),
             goodness(c, first), refuted(first), first_in_sample(c, scored), main_misfit(c, first)})};
 }
@@ -104,10 +103,10 @@ Headline ranked(const Comparison& c, const std::vector<const ModelFit*>& scored)
   const ModelFit &first = *scored[0], &second = *scored[1];
   const bool known = first.standing.certainty.group > 0;
   return {known ? Verdict::clear : Verdict::open,
-          none_explains(scored) ? fmt::format("None of these models explains the recording. {} comes closest.", first.model)
-                                : fmt::format("{} moves most like the recording.", first.model),
+          all_rejected(scored) ? fmt::format("Every fitted model is rejected (p ≤ 0.05); {} is least wrong.", first.model)
+                               : fmt::format("{} matches the recording best.", first.model),
           join({fmt::format("It leads {} by {} in score ({}).", second.model, fixed(first.standing.score - second.standing.score, 3),
-                            known ? p_text(second.standing.certainty.set_p, c.ranking.laws) : "it cannot be told how sure that is"),
+                            known ? p_text(second.standing.certainty.set_p, c.ranking.laws) : "certainty not known"),
                 goodness(c, first), refuted(first), first_in_sample(c, scored), main_misfit(c, first)})};
 }
 
@@ -135,10 +134,10 @@ Headline headline(const Comparison& c) {
   Headline models = of_models(c);
   const bool forgets = c.recording.skill.memory_p > kAlpha;
   if (models.verdict == Verdict::none || (!forgets && !c.ranking.walk_suffices)) return models;
-  const std::string answer = forgets ? "The recording moves like a random walk made of its own steps."
-                                     : "No model is closer to the recording than a random walk made of its own steps.";
+  const std::string answer = forgets ? "The recording cannot be distinguished from a random walk of its own steps."
+                                     : "No model is closer to the recording than a random walk of its own steps.";
   const std::string memory =
-      forgets ? fmt::format("It shows no memory of direction ({}), so no model can be told to explain more of how it moves.",
+      forgets ? fmt::format("It shows no memory of direction ({}), so no model can be shown to explain more of its motion.",
                             p_text(c.recording.skill.memory_p, c.recording.skill.surrogates))
               : std::string();
   return {Verdict::walk, answer, join({memory, "Among the models:", models.sentence, models.detail})};
@@ -160,26 +159,45 @@ std::string marked(const Comparison& c, std::size_t column, const std::string& s
 std::string what_drowned_means(const Comparison& c) {
   for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
     if (counts(c, m) && c.recording.observation.drowned[m])
-      return "~ mostly localisation error: models are told apart only as far as they differ by more than as much error again would make.";
+      return "~ mostly measurement error: differences smaller than the measurement error could cause are discounted.";
   return {};
 }
 
 std::string what_ranks_mean(const Comparison& c) {
   if (c.ranking.laws == 0) return {};
   return fmt::format(
-      "{}95 %: of the score, over recordings as long as this one. fit p: the share of recordings made by the model, of {}, that lie as far "
-      "from it as this one; {}fitted: how many parameters were.",
-      c.models.size() > 1 ? "Models with the same letter cannot be told apart (model confidence set, 95 %). " : "", c.ranking.laws,
-      c.models.size() > 1 ? "a model explains the recording where that, adjusted for the number of models, is above 0.05. " : "");
+      "{}fit p: fraction of recordings simulated from the model ({}) that fit it no better than yours; small means rejected{}. "
+      "95 %: interval of the score across recordings of this length. fitted: number of fitted parameters.",
+      c.models.size() > 1 ? "Models with the same letter are not distinguishable (model confidence set, 95 %); the test compares scores in "
+                            "pairs, so intervals of different letters may overlap. "
+                          : "",
+      c.ranking.laws, c.models.size() > 1 ? " (at 0.05, adjusted for the number of models)" : "");
+}
+
+std::string_view gravity_title(Gravity gravity) {
+  switch (gravity) {
+    case Gravity::result:
+      return "May change the result";
+    case Gravity::meaning:
+      return "Limits what it means";
+    case Gravity::note:
+      return "Notes";
+  }
+  return {};
+}
+
+std::string fit_p(const Comparison& c, const ModelFit& r) {
+  const double p = r.standing.certainty.goodness_p;
+  return (p * (1 + c.ranking.laws) < 1.5 ? "≤ " : "") + fixed(p, 2);
 }
 
 std::string what_skill_means(const Comparison& c) {
   if (std::none_of(c.models.begin(), c.models.end(), [](const ModelFit& r) { return std::isfinite(r.likeness.skill.value); })) return {};
   const bool motion = std::isfinite(c.recording.skill.walker.value);  // or d and eta alone
-  const char* null = c.recording.skill.null_of == SkillNull::places ? "its own places in random order"
-                     : motion ? "a random walk of its own steps (in d and η: than its tracks shifted in time)"
+  const char* null = c.recording.skill.null_of == SkillNull::places ? "its own positions in random order"
+                     : motion ? "a random walk of its own steps (for d and η: its tracks shifted in time)"
                               : "its tracks shifted in time";
-  return fmt::format("1 as close to the recording as two halves of it are to each other, 0 no closer than {}.", null);
+  return fmt::format("1 = as close as two halves of the recording; 0 = no better than {}.", null);
 }
 
 std::string kept_fixed(const Comparison& c) {
@@ -188,7 +206,8 @@ std::string kept_fixed(const Comparison& c) {
     std::string values;
     for (const ParameterResult& p : r.parameters)
       if (!p.fitted)
-        values += fmt::format("{}{} {}{}{}", values.empty() ? "" : ", ", p.name, brief(p.value, 3), p.unit.empty() ? "" : " ", p.unit);
+        values += fmt::format("{}{} {}{}{}", values.empty() ? "" : ", ", p.name, brief(p.value, 3), p.unit.empty() ? "" : " ",
+                              unit_in_print(p.unit));
     if (values.empty()) continue;
     const auto same = std::find_if(by_values.begin(), by_values.end(), [&](const auto& one) { return one.first == values; });
     if (same == by_values.end())
@@ -208,7 +227,7 @@ std::string steps_taken(const Comparison& c) {
   for (const auto& [steps, models] : by_steps)
     if (steps > 0) out.push_back(fmt::format("{} {}", enumerate(models), steps));
   if (by_steps.contains(0))
-    out.push_back(fmt::format("{} {} once per frame", enumerate(by_steps[0]), by_steps[0].size() > 1 ? "decide" : "decides"));
+    out.push_back(fmt::format("{} {} one step per frame by definition", enumerate(by_steps[0]), by_steps[0].size() > 1 ? "take" : "takes"));
   return fmt::format("{}", fmt::join(out, "; "));
 }
 
@@ -223,15 +242,20 @@ std::string lags_measured(const Comparison& c) {
   if (frames.empty()) return {};
   std::string out = fmt::format("Motion is measured at {}.", enumerate(frames));
   if ((c.recording.observation.sigma > 0).any() && !shares.empty())
-    out += fmt::format(" Localisation error makes up at most {}.", enumerate(shares));
+    out += fmt::format(" Measurement error makes up at most {}.", enumerate(shares));
   return out;
+}
+
+std::string file_name(const std::string& path) {
+  const auto slash = path.find_last_of('/');
+  return slash == std::string::npos || slash + 1 == path.size() ? path : path.substr(slash + 1);
 }
 
 std::string lag_name(const Comparison& c, int lag) { return fmt::format("lag {} ({} s)", lag, brief(lag * c.recording.data.dt)); }
 
 std::string origin(const Comparison& c) {
-  return fmt::format("Recording {}{}, protocol {}, budget {}, seed {}, swarmfit {}.", c.recording.data.path,
-                     c.recording.data.synthetic ? " (synthetic)" : "", c.run.protocol, c.run.budget.name, c.run.seed, c.run.version);
+  return fmt::format("Recording {}{}, protocol {}, budget {}, seed {}, swarmfit {}.", file_name(c.recording.data.path),
+                     c.recording.data.synthetic ? " (synthetic)" : "", c.run.protocol, budget_text(c), c.run.seed, c.run.version);
 }
 
 std::string lag_weights(const Comparison& c) {
@@ -239,7 +263,7 @@ std::string lag_weights(const Comparison& c) {
   std::stable_sort(lags.begin(), lags.end(), [](const LagFacts& a, const LagFacts& b) { return a.weight > b.weight; });
   std::vector<std::string> parts;
   for (const LagFacts& l : lags)
-    parts.push_back(fmt::format("{}{} {}{}", l.lag > 0 ? lag_name(c, l.lag) : "what has no lag (d, η)", parts.empty() ? " carried" : "",
+    parts.push_back(fmt::format("{}{} {}{}", l.lag > 0 ? lag_name(c, l.lag) : "metrics without lag (d, η)", parts.empty() ? " carried" : "",
                                 percent(l.weight), parts.empty() ? " of the weight" : ""));
   // One lag and those without: nothing to share out.
   if (lags.size() < 3 || !(lags.front().weight > 0)) return {};
@@ -270,11 +294,24 @@ std::string partner_text(const ParameterUncertainty& u) {
   return std::abs(u.correlation) >= kWorthSaying ? fmt::format("{} ({})", u.partner, fixed(u.correlation, 2)) : std::string();
 }
 
+std::string verdict_text(const ParameterResult& p) {
+  const bool outside = p.value < p.posterior.lower || p.value > p.posterior.upper;
+  return outside ? "inconsistent" : p.posterior.verdict;
+}
+
+std::string budget_text(const Comparison& c) {
+  std::string out = c.run.budget.name;
+  for (const auto& [name, value] : c.run.config)
+    if (name == "max-evaluations" && value != "0") out += fmt::format(", at most {} candidates per model", value);
+  return out;
+}
+
 std::string what_posteriors_mean() {
-  return "95 %: of the posterior under a prior that is even between the bounds of the search. identified: the recording determines the "
-         "parameter; one-sided: the interval reaches a bound; flat: hardly narrower than the bounds. goes with: what else changes along "
-         "with it "
-         "(correlation).";
+  return "95 %: central interval of the posterior under a uniform prior on the search axis (log or square root). identified: the recording "
+         "determines the parameter; one-sided: the interval reaches a bound; flat: hardly narrower than the bounds; inconsistent: the best "
+         "value lies "
+         "outside. correlated with: the "
+         "parameter with the strongest posterior correlation.";
 }
 
 std::string group_letter(const ModelFit& r) { return letter_of(r.standing.certainty.group); }
@@ -329,9 +366,11 @@ std::string sigma_text(const Comparison& c) {
 
 std::string what_energy_means(const Comparison& c) {
   const std::string worst = brief(worst_energy(c.recording.binning));
-  if (c.recording.binning.pooled) return fmt::format("the L1 distance of the distributions, 0 alike .. {} disjoint", worst);
+  if (c.recording.binning.pooled) return fmt::format("the L1 distance of the distributions, 0 = equal, {} = disjoint", worst);
   return fmt::format(
-      "the energy score, distance of simulations from the recording less half that between simulations; lower is better, {} the worst",
+      "the discrepancy of a metric: mean simulation–recording distance minus half the mean simulation–simulation distance; lower is "
+      "better, "
+      "{} is the worst",
       worst);
 }
 

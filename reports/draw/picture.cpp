@@ -122,7 +122,7 @@ constexpr std::string_view kStyle =
 }  // namespace
 
 std::string picture_svg(const Tracks& tracks, const std::string& title) {
-  if (tracks.rows() == 0) throw InputError("`picture`: nobody to draw; expected at least one individual");
+  if (tracks.rows() == 0) throw InputError("`picture`: no individuals to draw; expected at least one");
   const std::int64_t last = tracks.frames().back().number, longest = last - tracks.frames().front().number;
   const std::int64_t stride = std::max<std::int64_t>(1, (longest + kKnots - 1) / kKnots);
   std::vector<Tail> tails;

@@ -11,7 +11,7 @@
 namespace swarmfit {
 namespace {
 
-constexpr std::size_t kLine = 100, kApart = 2;
+constexpr std::size_t kLine = 80, kApart = 2;
 constexpr double kTail = 0.01;
 
 // Cells of `per_cell` bins each, from bin `first` on.
@@ -91,7 +91,7 @@ std::string shapes_text(const Shapes& s, std::size_t first, const std::string& t
   table.row(head, Paint::bold);
   for (std::size_t k = 0; k < lines.size(); ++k) table.row(lines[k], s.rows[k].paint);
   for (const auto& line : {from, to, unit}) table.row(line, Paint::dim);
-  return table.text();
+  return table.folded();
 }
 
 std::string shapes_text(const Summary& s, TextStyle style) {
@@ -107,8 +107,9 @@ std::string shapes_text(const Summary& s, TextStyle style) {
 
 std::string what_shapes_mean(const Binning& binning) {
   if (binning.normalisation == Normalisation::separate)
-    return "distribution: each to its own height, and standardised by itself: only its shape is shown; the ends count what lies beyond";
-  return "distribution: each to its own height, over the recording's range; the ends count what lies beyond";
+    return "distribution: each scaled to its own peak and standardised by itself, so only its shape is shown; end cells count all values "
+           "beyond";
+  return "distribution: each scaled to its own peak, over the recording's range; end cells count all values beyond";
 }
 
 }  // namespace swarmfit

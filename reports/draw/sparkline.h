@@ -30,7 +30,7 @@ struct Shapes {
 };
 
 // A table of the columns of one lag, which begin with `first`: sparklines on the part of the axis in which the recording can be seen, what
-// lies beyond counted at its ends, and that part in the metric's unit. Not wider than 100 columns for names of at most 40. Empty without
+// lies beyond counted at its ends, and that part in the metric's unit. Not wider than 80 columns for names of at most 29. Empty without
 // Unicode: there is nothing like it in ASCII.
 std::string shapes_text(const Shapes&, std::size_t first, const std::string& title, TextStyle);
 

@@ -24,7 +24,7 @@ constexpr std::ptrdiff_t kPlaceCell = 3;
 
 // The rows of the terminal, and where each energy lies between the same and disjoint.
 Html energies(const Evaluation& e) {
-  HtmlTable table("How far the simulation is from the recording, metric by metric");
+  HtmlTable table("Energy of every metric between recording and simulation");
   const TextRows rows = energy_rows(e);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     Cells cells;
@@ -57,7 +57,7 @@ Html order(const Evaluation& e) {
 }
 
 Html sides(const DataFacts& real, const DataFacts& simulated) {
-  HtmlTable table("What each of them is");
+  HtmlTable table("The two recordings");
   table.head({column(""), column("recording", true), column("simulation", true)});
   const auto row = [&](const std::string& what, auto text) {
     table.row({name_cell(escaped(what)), number_cell(text(real)), number_cell(text(simulated))});

@@ -59,7 +59,7 @@ std::string evaluation_sentence(const Evaluation& e) {
   }
   if (nearest == e.columns.size()) return "No metric is defined in both.";
   if (nearest == farthest) return fmt::format("Compared in one metric: {}.", metric_text(e, nearest));
-  return fmt::format("Most alike in {}, least alike in {}.", metric_text(e, nearest), metric_text(e, farthest));
+  return fmt::format("Most similar in {}, least similar in {}.", metric_text(e, nearest), metric_text(e, farthest));
 }
 
 }  // namespace swarmfit

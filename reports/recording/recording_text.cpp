@@ -27,7 +27,7 @@ std::string describe_text(const TrackMeta& meta, const Summary& s, TextStyle sty
   out += bullets("Repaired while reading", meta.from.notes, Paint::bold, style);
   std::vector<std::string> suspicions;
   for (const Suspicion& one : s.suspicions) suspicions.push_back(suspicion_words(one));
-  out += bullets("Look at these before trusting the file", suspicions, Paint::warning, style);
+  out += bullets("Check these before using the file", suspicions, Paint::warning, style);
   if (suspicions.empty()) out += "\nNothing suspicious found.\n";
   return finished(std::move(out), style);
 }

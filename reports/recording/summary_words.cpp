@@ -48,18 +48,18 @@ TextRows quantile_rows(const TrackMeta& meta, const Summary& s) {
           quantile_row("speed", s.speed, metric_unit(kSpeed, meta.unit), outliers(s.speed_outliers)),
           quantile_row("acceleration", s.acceleration, metric_unit(kAcceleration, meta.unit), outliers(s.acceleration_outliers)),
           quantile_row("nearest neighbour", s.nearest, meta.unit),
-          quantile_row("rms radius of the group", s.extent, meta.unit),
+          quantile_row("rms radius of the group, per frame", s.extent, meta.unit),
           quantile_row("polarisation", s.polarisation, "0 .. 1"),
           quantile_row("milling", s.milling, "0 .. 1")};
 }
 
 std::string localisation_words(const TrackMeta& meta, const Localisation& l) {
-  if (l.samples == 0) return "Localisation error: nothing can be told, the tracks are too short.";
+  if (l.samples == 0) return "Measurement error: not known, the tracks are too short.";
   std::string sigma;
   for (int axis = 0; axis < meta.dims; ++axis) sigma += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], rounded(l.sigma[axis]));
-  if (l.rounding) return fmt::format("Localisation error: no more than the rounding of the file ({} {}).", sigma, meta.unit);
+  if (l.rounding) return fmt::format("Measurement error: no more than the rounding of the file ({} {}).", sigma, meta.unit);
   const std::string caveat = l.white ? "" : " (not white: the positions were smoothed, or the motion itself is this rough)";
-  return fmt::format("Localisation error: {} {}{}; it explains {} of the acceleration and {} of the jerk (squared medians).", sigma,
+  return fmt::format("Measurement error: {} {}{}; it explains {} of the acceleration and {} of the jerk (squared medians).", sigma,
                      meta.unit, caveat, percent(l.acceleration_share), percent(l.jerk_share));
 }
 

@@ -17,8 +17,8 @@ Html suspicions(const Summary& s) {
   if (s.suspicions.empty()) return {};
   Html items;
   for (const Suspicion& one : s.suspicions) items += element("li", "", escaped(suspicion_words(one)));
-  Html out = markup(
-      "<aside class=\"warnings\" aria-labelledby=\"warnings-title\"><h2 id=\"warnings-title\">Look at these before trusting it</h2>");
+  Html out =
+      markup("<aside class=\"warnings\" aria-labelledby=\"warnings-title\"><h2 id=\"warnings-title\">Check these before using it</h2>");
   out += element("ul", "", items);
   out += markup("</aside>");
   return out;
@@ -64,6 +64,13 @@ Html repairs(const TrackMeta& meta) {
   return out;
 }
 
+// A section, if there is something in it.
+Html titled(std::string_view id, std::string_view title, const Html& content) {
+  if (content.text.empty()) return {};
+  return {fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n", id, title,
+                      content.text)};
+}
+
 }  // namespace
 
 std::string tracks_html(const Comparison& c, const TrackMeta& meta, const Summary& summary, const TracksPage& page) {
@@ -82,6 +89,8 @@ std::string tracks_html(const Comparison& c, const TrackMeta& meta, const Summar
                  {"warnings", suspicions(summary).text},
                  {"motion", sections::motion(c).text},
                  {"model", model_section(page).text},
+                 {"quality", titled("quality", "Quality of the tracks", sections::quality(c)).text},
+                 {"pictures", titled("pictures", "The group in pictures", sections::pictures(c)).text},
                  {"pdf_figures", sections::pdf_figures(c).text},
                  {"contents", contents_table(contents_rows(meta, summary)).text},
                  {"quantiles", quantile_table(quantile_rows(meta, summary)).text},

@@ -77,7 +77,7 @@ std::string measure_sentence(const Measured& measured) {
   std::map<std::string_view, std::size_t> count;
   for (const StateWindow& w : windows) ++count[w.state->name];
   const auto most = std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (most == count.end()) return "Nobody is in this recording.";
+  if (most == count.end()) return "This recording has no individuals.";
   return fmt::format("State: {} in {} of {}.", most->first, most->second, counted(static_cast<std::int64_t>(windows.size()), "window"));
 }
 

@@ -27,7 +27,7 @@ std::vector<std::string> names_with(const ParameterRecovery& r, std::string_view
 }
 
 Html coverage(const ParameterRecovery& r) {
-  HtmlTable table("How many of the true values lie in their 95 % intervals");
+  HtmlTable table("How often the 95 % interval contains the true value");
   const std::string band = fmt::format("{} to {}", r.fewest, r.most);
   table.head({column("parameter"), column("covered", true), column("and the 99 % band"), column("band", true), column("place in it"),
               column("identified", true), column("one-sided", true), column("flat", true), column("mean width", true), column("bias", true),
@@ -60,21 +60,21 @@ Html drawings(const ParameterRecovery& r, const std::string& unit) {
     const ParameterCoverage& p = r.parameters[k];
     Html figure = element("h3", "", escaped(p.name));
     figure += intervals_drawing(r, k, unit);
-    figure += element("figcaption", "", escaped(fmt::format("{} of {} intervals hold the truth", p.covered, p.recordings)));
+    figure += element("figcaption", "", escaped(fmt::format("{} of {} intervals contain the true value", p.covered, p.recordings)));
     figures += element("figure", "", figure);
   }
   Html out = element("div", "grid", figures);
   out += element("p", "note",
                  markup("A line per recording: the 95 % interval, and the median as a dot, above the true value; on the slanted line both "
-                        "are equal. Dashed and crossed: intervals that miss the truth. Axes are those of the search: some logarithmic, "
-                        "some by square roots. Rest the pointer on one for its numbers."));
+                        "are equal. Dashed and crossed: intervals that miss the true value. Axes are those of the search: some "
+                        "logarithmic, some square roots. Point at a line for its numbers."));
   return out;
 }
 
 Html cases(const ParameterRecovery& r) {
   HtmlTable table("Every interval");
   table.head({column("parameter"), column("seed", true), column("true value", true), column("median", true), column("2.5 %", true),
-              column("97.5 %", true), column("holds it"), column("verdict")});
+              column("97.5 %", true), column("contains it"), column("verdict")});
   for (std::size_t k = 0; k < r.parameters.size(); ++k)
     for (const ParameterCase& c : r.cases) {
       const ParameterInterval& p = c.found[k];
@@ -91,13 +91,15 @@ Html cases(const ParameterRecovery& r) {
 }  // namespace
 
 std::string coverage_sentence(const ParameterRecovery& r) {
-  if (r.cases.empty()) return fmt::format("None of {} recordings made by {} carries a fit.", r.left_out, r.model);
+  if (r.cases.empty()) return fmt::format("None of {} recordings simulated from {} can be fitted.", r.left_out, r.model);
   const auto rarely = names_with(r, "too rarely"), often = names_with(r, "too often");
   const std::string of = fmt::format(" of {}", r.model);
   if (rarely.empty() && often.empty())
-    return fmt::format("The 95 % intervals of all {} parameters{} hold the truth as often as they should.", r.parameters.size(), of);
-  if (rarely.empty()) return fmt::format("The 95 % intervals of {}{} hold the truth too often: they are too wide.", enumerate(often), of);
-  return fmt::format("The 95 % intervals of {}{} hold the truth too rarely{}.", enumerate(rarely), of,
+    return fmt::format("The 95 % intervals of all {} parameters{} contain the true value as often as they should.", r.parameters.size(),
+                       of);
+  if (rarely.empty())
+    return fmt::format("The 95 % intervals of {}{} contain the true value too often: they are too wide.", enumerate(often), of);
+  return fmt::format("The 95 % intervals of {}{} contain the true value too rarely{}.", enumerate(rarely), of,
                      often.empty() ? "" : fmt::format(", those of {} too often", enumerate(often)));
 }
 
@@ -109,7 +111,7 @@ std::string parameter_recovery_html(const ParameterRecovery& r, const Settings& 
   if (!r.cases.empty()) {
     page.detail = coverage_band_text(r) + left_out_text(r);
     page.sections = {{"coverage", "Coverage", coverage(r)},
-                     {"intervals", "Intervals against the truth", drawings(r, setting(settings, "unit"))},
+                     {"intervals", "Intervals against true values", drawings(r, setting(settings, "unit"))},
                      {"recordings", "Recording by recording", cases(r)}};
   }
   page.files = markup("<code>recovery.json</code>, <code>tables/cases.csv</code>");

@@ -18,13 +18,14 @@ using Json = nlohmann::ordered_json;
 }  // namespace
 
 std::string coverage_band_text(const ParameterRecovery& r) {
-  return fmt::format("Intervals that hold the truth 95 times in 100 cover {} to {} of {} (99 % of the binomial, {} parameters).", r.fewest,
-                     r.most, r.cases.size(), r.parameters.size());
+  return fmt::format("Correct 95 % intervals contain {} to {} of {} true values (99 % of the binomial, {} parameters).", r.fewest, r.most,
+                     r.cases.size(), r.parameters.size());
 }
 
 std::string left_out_text(const ParameterRecovery& r) {
   if (r.left_out == 0) return {};
-  return fmt::format(" {} more plants were left out: they carry no fit, or the truth lies beyond the bounds of one.", r.left_out);
+  return fmt::format(" {} more recordings were left out: they cannot be fitted, or the true value lies beyond the bounds of the search.",
+                     r.left_out);
 }
 
 PaperTable coverage_table(const ParameterRecovery& r, const std::string& caption) {
@@ -36,7 +37,7 @@ PaperTable coverage_table(const ParameterRecovery& r, const std::string& caption
 }
 
 std::string parameter_recovery_text(const ParameterRecovery& r, TextStyle style) {
-  if (r.cases.empty()) return fmt::format("None of {} recordings made by {} carries a fit.\n", r.left_out, r.model);
+  if (r.cases.empty()) return fmt::format("None of {} recordings simulated from {} can be fitted.\n", r.left_out, r.model);
   const std::string text = table_text(coverage_table(r, ""), style) +
                            " width, bias and rmse (of the posterior's median): shares of what is searched, on the axis of the search\n " +
                            coverage_band_text(r) + '\n' + (r.left_out > 0 ? left_out_text(r) + '\n' : "");
@@ -79,7 +80,7 @@ std::string to_json(const ParameterRecovery& r, const Settings& conditions) {
 
 void write_parameter_recovery(const std::string& dir, const ParameterRecovery& r, const Settings& settings, const std::string& version) {
   begin_study(dir, "recover", settings, "recovery.json");
-  write_table(dir + "/tables", coverage_table(r, "How many of the true values lie in their 95 % intervals. " + coverage_band_text(r)));
+  write_table(dir + "/tables", coverage_table(r, "How often the 95 % interval contains the true value. " + coverage_band_text(r)));
   write_file_atomically(dir + "/tables/cases.csv", parameter_cases_csv(r));
   write_file_atomically(dir + "/report.html", parameter_recovery_html(r, settings, version));
   write_file_atomically(dir + "/recovery.json", to_json(r, settings));

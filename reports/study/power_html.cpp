@@ -24,22 +24,22 @@ std::string time_text(double seconds) {
 // What a recording of so many seconds lacks.
 std::string lacking(double factor, double seconds) {
   if (!std::isfinite(factor) || !(seconds > 0)) return kUndefined;
-  return factor <= 1 ? "nothing" : time_text((factor - 1) * seconds);
+  return factor < 1.05 ? "nothing" : time_text((factor - 1) * seconds);
 }
 
 Html pairs(const Power& p) {
   const double seconds = static_cast<double>(p.fitted.recording.data.frames) * p.fitted.recording.data.dt;
   PaperTable t = pairs_table(
-      p, "Told apart: the maker is ranked before the rival and the rival is not in the best group. Lead: of the maker's score.");
+      p, "Distinguished: the true model ranks before the rival, and the rival is not in the best group. Lead: of the true model's score.");
   t.align = "llrrrrrr";
   t.head.emplace_back("more of it");
   for (std::size_t k = 0; k < p.pairs.size(); ++k) t.rows[k].push_back(lacking(p.pairs[k].factor, seconds));
   Html out = on_screen(t).html();
   out += element(
       "p", "note",
-      markup("Needed for the order: how many times as long, or with how many times as many animals, for the maker to lead in 95 of 100 "
-             "recordings, if leads keep their mean and scatter as one over the root of the length. Never: the maker does not lead "
-             "on average, so that more of the same may not help."));
+      markup("Needed for the order: how many times as long, or with how many times as many animals, for the true model to lead in 95 of "
+             "100 recordings, if leads keep their mean and their scatter falls as one over the root of the length. Never: the true model "
+             "does not lead on average, so more data may not help."));
   return out;
 }
 
@@ -54,8 +54,8 @@ Html matrices(const Power& p) {
 std::string detail(const Power& p) {
   const auto made = static_cast<std::int64_t>(p.recovery.cases.size());
   return fmt::format(
-      "Every model was fitted to the recording and made recordings like it, {} in all, and all were compared on each. {} "
-      "This says what the recording can decide, and not which model is right.",
+      "Every model was fitted to the recording, simulated recordings like it ({} in all), and all models were compared on each. {} "
+      "This shows what the recording can decide, not which model is right.",
       made, recovery_sentence(p.recovery));
 }
 
@@ -64,7 +64,7 @@ std::string detail(const Power& p) {
 std::string power_html(const Power& p, const Settings& settings) {
   const Comparison& fitted = p.fitted;
   StudyPage page{"power",
-                 "what a recording could tell apart",
+                 "which models a recording can distinguish",
                  power_sentence(p),
                  detail(p),
                  sections::badge(fitted),
@@ -74,9 +74,9 @@ std::string power_html(const Power& p, const Settings& settings) {
                  {},
                  settings,
                  fitted.run.version};
-  page.sections = {{"pairs", "How much more it would take", pairs(p)},
-                   {"matrices", "Who is told from whom", matrices(p)},
-                   {"planted", "What was planted", sections::planted_parameters(p.recovery, fitted.recording.data.unit)},
+  page.sections = {{"pairs", "How much more data it would take", pairs(p)},
+                   {"matrices", "Which models are distinguished", matrices(p)},
+                   {"planted", "True parameters", sections::planted_parameters(p.recovery, fitted.recording.data.unit)},
                    {"recordings", "Recording by recording", sections::cases_table(p.recovery)}};
   page.files = markup("<code>power.json</code>, <code>tables/pairs.csv</code>, <code>tables/cases.csv</code>");
   return study_html(page);

@@ -23,11 +23,14 @@ const std::string& rival(const Power& p, const PowerPair& pair) { return p.recov
 
 bool mostly_told_apart(const PowerPair& pair) { return pair.recordings > 0 && 2 * pair.told_apart > pair.recordings; }
 
+// Would this recording do, as its factor is printed?
+bool suffices(double factor) { return factor < 1.05; }
+
 // How many times as long, in words.
 std::string needed(double factor) {
   if (std::isnan(factor)) return kUndefined;
   if (std::isinf(factor)) return "never";
-  return factor <= 1 ? "as it is" : fmt::format("{} ×", brief(factor, 2));
+  return suffices(factor) ? "as it is" : fmt::format("{} ×", brief(factor, 2));
 }
 
 // The pairs in both directions: telling them apart takes both.
@@ -40,32 +43,31 @@ Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); 
 
 }  // namespace
 
-// The maker mostly comes first, but the rival shares its group: the order is right, and no single recording can be sure of it.
+// The order may be right although the rival shares the best group: then no single recording can be sure of it.
 std::string power_sentence(const Power& p) {
   std::vector<std::string> unclear, unsure;
   for (const PowerPair& pair : p.pairs) {
     const PowerPair& back = turned(p, pair);
     if (&pair > &back || (mostly_told_apart(pair) && mostly_told_apart(back))) continue;
     const double factor = std::max(pair.factor, back.factor);
-    if (factor <= 1) {
+    if (suffices(factor)) {
       unsure.push_back(fmt::format("{} and {}", planted(p, pair), rival(p, pair)));
       continue;
     }
-    const std::string how = std::isfinite(factor)
-                                ? fmt::format("about {} times as many minutes or animals would", brief(std::max(2.0, std::ceil(factor)), 2))
-                                : std::string("more of the same may not");
-    unclear.push_back(fmt::format("{} from {} ({})", planted(p, pair), rival(p, pair), how));
+    const std::string how = std::isfinite(factor) ? fmt::format("the right order needs about {} times as much data", brief(factor, 2))
+                                                  : std::string("more data may not help");
+    unclear.push_back(fmt::format("{} and {} ({})", planted(p, pair), rival(p, pair), how));
   }
   const std::string order =
       unsure.empty() ? std::string()
-                     : fmt::format(" It mostly puts {} in the right order, but is too short to be sure of it.", enumerate(unsure));
-  if (unclear.empty() && unsure.empty()) return "A recording like this one tells all these models apart.";
-  if (unclear.empty()) return "A recording like this one ranks all these models rightly." + order;
-  return fmt::format("A recording like this one does not tell {}.", enumerate(unclear)) + order;
+                     : fmt::format(" It ranks {} in the right order, but does not distinguish them with certainty.", enumerate(unsure));
+  if (unclear.empty() && unsure.empty()) return "A recording like this one distinguishes all these models.";
+  if (unclear.empty()) return "A recording like this one ranks all these models correctly." + order;
+  return fmt::format("A recording like this one does not distinguish {}.", enumerate(unclear)) + order;
 }
 
 PaperTable pairs_table(const Power& p, const std::string& caption) {
-  PaperTable t{"pairs", caption, {"planted", "rival", "ranked before", "told apart", "mean lead", "sd", "needed for the order"}, {}};
+  PaperTable t{"pairs", caption, {"true model", "rival", "ranked before", "distinguished", "mean lead", "sd", "needed for the order"}, {}};
   for (const PowerPair& pair : p.pairs)
     t.rows.push_back({planted(p, pair), rival(p, pair), fmt::format("{} of {}", pair.first, pair.recordings),
                       fmt::format("{} of {}", pair.told_apart, pair.recordings), fixed(pair.lead, 2), fixed(pair.lead_sd, 2),
@@ -74,8 +76,8 @@ PaperTable pairs_table(const Power& p, const std::string& caption) {
 }
 
 std::string power_text(const Power& p, TextStyle style) {
-  const std::string text = paint(wrapped(power_sentence(p), 100), Paint::bold, style) + "\n\n" + recovery_text(p.recovery, style) + '\n' +
-                           table_text(pairs_table(p, ""), style);
+  const std::string text = paint(wrapped(power_sentence(p), kTextWidth), Paint::bold, style) + "\n\n" + recovery_text(p.recovery, style) +
+                           '\n' + table_text(pairs_table(p, ""), style);
   return style.unicode ? text : ascii(text);
 }
 
@@ -111,9 +113,9 @@ void write_power(const std::string& dir, const Power& p, const Settings& setting
   write_table(
       tables,
       pairs_table(p,
-                  "Planted models and their rivals: in how many recordings the planted one was ranked before the rival, in how many "
-                  "the rival was moreover not in the best group, the lead in score, and how many times as long a recording must be "
-                  "for a lead in 95 %."));
+                  "True models and their rivals: in how many recordings the true model ranked before the rival, in how many of these the "
+                  "rival was not in the best group, the lead in score, and how many times as long a recording must be for a lead in "
+                  "95 %."));
   write_file_atomically(tables + "/pairs.csv", pairs_csv(p));
   write_file_atomically(tables + "/cases.csv", recovery_csv(p.recovery));
   write_file_atomically(dir + "/report.html", power_html(p, settings));

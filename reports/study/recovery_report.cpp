@@ -45,7 +45,7 @@ std::string table_text(const PaperTable& table, TextStyle style) {
 }
 
 PaperTable confusion_table(const Recovery& r, const std::string& caption) {
-  PaperTable t{"confusion", caption, {"planted \\ ranked first"}, {}};
+  PaperTable t{"confusion", caption, {"true model \\ ranked first"}, {}};
   t.head.insert(t.head.end(), r.compared.begin(), r.compared.end());
   t.head.emplace_back("recovered");
   for (std::size_t p = 0; p < r.planted.size(); ++p) t.rows.push_back(confusion_row(r, p));
@@ -53,7 +53,7 @@ PaperTable confusion_table(const Recovery& r, const std::string& caption) {
 }
 
 PaperTable confidence_table(const Recovery& r, const std::string& caption) {
-  PaperTable t{"confidence", caption, {"planted \\ in the best group"}, {}};
+  PaperTable t{"confidence", caption, {"true model \\ in the best group"}, {}};
   t.head.insert(t.head.end(), r.compared.begin(), r.compared.end());
   t.head.emplace_back("rejected");
   for (std::size_t p = 0; p < r.planted.size(); ++p) {
@@ -109,13 +109,13 @@ void write_matrices(const std::string& dir, const Recovery& r, const Settings& s
   for (const auto& [name, value] : settings)
     if (name != "model" && name != "plant") conditions += fmt::format("{}{} {}", conditions.empty() ? "" : ", ", name, value);
   const auto caption = [&](const char* what) {
-    return fmt::format("Rows: the model that made the recordings; columns: how often each model was {}. {}.", what, conditions);
+    return fmt::format("Rows: true model; columns: how often each model was {}. {}.", what, conditions);
   };
   for (const PaperTable& t :
        {confusion_table(r, caption("ranked first")),
         confidence_table(
-            r, caption("among those that cannot be told from the best (model confidence set, 95 %); rejected: how often the model "
-                       "that made a recording was found not to explain it (p ≤ 0.05)"))})
+            r, caption("not distinguishable from the best (model confidence set, 95 %); rejected: how often the true model was rejected "
+                       "(p ≤ 0.05)"))})
     write_table(dir, t);
 }
 

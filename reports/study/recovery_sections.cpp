@@ -60,24 +60,24 @@ std::size_t own_place(const Recovery& r, std::size_t p) {
 }
 
 // In how many recordings of one model another was in the best group: {how many, of how many}; {0, 0} if it made none.
-struct Alike {
+struct Overlap {
   int both = 0, of = 0;
 };
 
-Alike alike(const Recovery& r, const std::string& maker, const std::string& other) {
+Overlap overlap(const Recovery& r, const std::string& maker, const std::string& other) {
   const auto found = std::find(r.planted.begin(), r.planted.end(), maker);
   if (found == r.planted.end()) return {};
   const auto p = static_cast<std::size_t>(found - r.planted.begin());
   return {counts_of::in_best_group(r, p, other), counts_of::grouped(r, p)};
 }
 
-std::string alike_text(const Alike& a) { return a.of > 0 ? fmt::format("{} of {}", a.both, a.of) : kUndefined; }
+std::string overlap_text(const Overlap& a) { return a.of > 0 ? fmt::format("{} of {}", a.both, a.of) : kUndefined; }
 
-HtmlTable::Cell verdict(const Alike& one, const Alike& other) {
+HtmlTable::Cell verdict(const Overlap& one, const Overlap& other) {
   if (one.of + other.of == 0) return text_cell(kUndefined);
-  if (one.both + other.both == 0) return text_cell("told apart");
+  if (one.both + other.both == 0) return text_cell("distinguished");
   const bool mostly = 2 * one.both >= std::max(1, one.of) || 2 * other.both >= std::max(1, other.of);
-  return {.content = element("b", "", escaped(mostly ? "alike" : "alike at times"))};
+  return {.content = element("b", "", escaped(mostly ? "not distinguished" : "sometimes not distinguished"))};
 }
 
 // Least and greatest planted value of one parameter.
@@ -107,8 +107,8 @@ bool drawn_anew(const Recovery& r, std::size_t p) {
 Html parameter_table(const Recovery& r, std::size_t p, const std::string& unit) {
   const ModelChoice model = parse_model(r.planted[p]);
   const bool ranges = drawn_anew(r, p);
-  HtmlTable table(fmt::format("Planted parameters of {}", r.planted[p]));
-  Cells head{column("parameter"), column("symbol"), column(ranges ? "planted about" : "planted", true)};
+  HtmlTable table(fmt::format("True parameters of {}", r.planted[p]));
+  Cells head{column("parameter"), column("symbol"), column(ranges ? "true value about" : "true value", true)};
   if (ranges) head.insert(head.end(), {column("least", true), column("greatest", true)});
   head.insert(head.end(), {column("unit"), column("meaning")});
   table.head(head);
@@ -134,23 +134,23 @@ std::vector<std::string> best_group(const RecoveryCase& c) {
 }  // namespace
 
 Html confusion_matrix(const Recovery& r) {
-  const Matrix m{"Rows: the model that made the recordings. Columns: how often each model was ranked first.", "made by \\ ranked first",
-                 "recovered", Right::maker};
+  const Matrix m{"Rows: true model. Columns: how often each model was ranked first.", "true model \\ ranked first", "recovered",
+                 Right::maker};
   return matrix_html(
       r, m, [&](std::size_t p, std::size_t k) { return r.confusion[p][k]; },
       [&](std::size_t p) { return of_recordings(r, counts_of::recovered(r, p), p); });
 }
 
 Html confidence_matrix(const Recovery& r) {
-  const Matrix m{"Columns: how often each model was among those that cannot be told from the best (model confidence set, 95 %).",
-                 "made by \\ in the best group", "maker in it", Right::maker};
+  const Matrix m{"Columns: how often each model was not distinguishable from the best (model confidence set, 95 %).",
+                 "true model \\ in the best group", "true model in it", Right::maker};
   const auto in_it = [&](std::size_t p, std::size_t k) { return counts_of::in_best_group(r, p, r.compared[k]); };
   return matrix_html(r, m, in_it, [&](std::size_t p) { return of_recordings(r, in_it(p, own_place(r, p)), p); });
 }
 
 Html rejection_matrix(const Recovery& r) {
-  const Matrix m{"Columns: how often each model was found not to explain the recording (goodness of fit, p ≤ 0.05).", "made by \\ rejected",
-                 "maker rejected", Right::others};
+  const Matrix m{"Columns: how often each model was rejected (goodness of fit, p ≤ 0.05).", "true model \\ rejected", "true model rejected",
+                 Right::others};
   const auto rejected = [&](std::size_t p, std::size_t k) { return counts_of::rejected(r, p, r.compared[k]); };
   return matrix_html(r, m, rejected, [&](std::size_t p) { return of_recordings(r, rejected(p, own_place(r, p)), p); });
 }
@@ -158,19 +158,19 @@ Html rejection_matrix(const Recovery& r) {
 Html how_matrices_read() {
   return element(
       "p", "note",
-      markup("Framed: the model that made the recordings. <span class=\"swatch right q4\"></span> blue where large counts are right, "
+      markup("Framed: the true model. <span class=\"swatch right q4\"></span> blue where large counts are right, "
              "<span class=\"swatch wrong q4\"></span> orange where they are wrong; the stronger, the larger the share of the row's "
              "recordings."));
 }
 
-Html alike_table(const Recovery& r) {
-  HtmlTable table("Every two models: in how many recordings made by one of them the other was in the best group, too.");
-  table.head({column("first"), column("second"), column("made by the first", true), column("made by the second", true), column("")});
+Html overlap_table(const Recovery& r) {
+  HtmlTable table("Every pair of models: in how many recordings of one the other was in the best group, too.");
+  table.head({column("first"), column("second"), column("first is true", true), column("second is true", true), column("")});
   for (std::size_t a = 0; a < r.compared.size(); ++a)
     for (std::size_t b = a + 1; b < r.compared.size(); ++b) {
-      const Alike one = alike(r, r.compared[a], r.compared[b]), other = alike(r, r.compared[b], r.compared[a]);
-      table.row({name_cell(escaped(r.compared[a])), text_cell(r.compared[b]), number_cell(alike_text(one)), number_cell(alike_text(other)),
-                 verdict(one, other)});
+      const Overlap one = overlap(r, r.compared[a], r.compared[b]), other = overlap(r, r.compared[b], r.compared[a]);
+      table.row({name_cell(escaped(r.compared[a])), text_cell(r.compared[b]), number_cell(overlap_text(one)),
+                 number_cell(overlap_text(other)), verdict(one, other)});
     }
   return table.sortable().html();
 }
@@ -187,9 +187,9 @@ Html planted_parameters(const Recovery& r, const std::string& length_unit) {
 }
 
 Html cases_table(const Recovery& r) {
-  HtmlTable table("Every recording and what its comparison said");
-  table.head({column("made by"), column("seed", true), column("ranked first"), column("its score", true), column("rank of the maker", true),
-              column("maker's fit p", true), column("best group")});
+  HtmlTable table("Result of every recording");
+  table.head({column("true model"), column("seed", true), column("ranked first"), column("its score", true),
+              column("rank of the true model", true), column("its fit p", true), column("best group")});
   for (const RecoveryCase& c : r.cases) {
     const std::string& maker = r.planted[c.planted];
     const auto place = static_cast<std::size_t>(std::find(c.order.begin(), c.order.end(), maker) - c.order.begin());

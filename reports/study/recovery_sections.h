@@ -11,12 +11,12 @@ namespace swarmfit::sections {
 
 // Matrices of counts, a row per model that made recordings. Cells are shaded by their share of the row's recordings, in one colour where
 // large counts are right and in another where they are wrong; the maker's own cell is framed.
-Html confusion_matrix(const Recovery&);   // who is ranked first
-Html confidence_matrix(const Recovery&);  // who cannot be told from the best
-Html rejection_matrix(const Recovery&);   // who does not explain the recording
+Html confusion_matrix(const Recovery&);   // which model is ranked first
+Html confidence_matrix(const Recovery&);  // which are not distinguishable from the best
+Html rejection_matrix(const Recovery&);   // which are rejected
 Html how_matrices_read();
 
-Html alike_table(const Recovery&);  // every two models: told apart, or alike?
+Html overlap_table(const Recovery&);  // every two models: distinguished or not
 Html planted_parameters(const Recovery&, const std::string& length_unit);
 Html cases_table(const Recovery&);  // a row per recording, folded in
 

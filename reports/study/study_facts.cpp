@@ -24,7 +24,7 @@ Html study_facts(const Settings& s) {
   out += fact("rms radius", measured(s, "extent", unit));
   out += fact("neighbour distance", measured(s, "spacing", unit));
   out += fact("mean speed", measured(s, "speed", unit + "/s"));
-  out += fact("localisation error", measured(s, "film-noise", unit));
+  out += fact("measurement error", measured(s, "film-noise", unit));
   out += fact("lost per individual and frame", setting(s, "dropout") == "0" ? "" : setting(s, "dropout"));
   out += fact("budget", setting(s, "budget"));
   out += fact("protocol", setting(s, "protocol"));

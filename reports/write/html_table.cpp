@@ -77,9 +77,11 @@ HtmlTable& HtmlTable::add(std::string& part, std::string_view row_classes, const
 
 Html HtmlTable::html() const {
   const std::string caption = html_escaped(caption_);
+  std::string look = classes_;
+  if (sortable_) look += look.empty() ? "sortable" : " sortable";
   std::string out =
       fmt::format("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\"><table{1}><caption>{0}</caption>\n", caption,
-                  sortable_ ? " class=\"sortable\"" : "");
+                  look.empty() ? "" : fmt::format(" class=\"{}\"", look));
   if (!head_.empty()) out += "<thead>" + head_ + "</thead>\n";
   out += "<tbody>" + body_ + "</tbody>\n";
   if (!foot_.empty()) out += "<tfoot>" + foot_ + "</tfoot>\n";
@@ -110,12 +112,16 @@ Html interval_drawing(double value, double low, double high, double lower, doubl
   return {out};
 }
 
-Html place_drawing(double share, bool at_bound) {
+Html place_drawing(double share, bool at_bound, double low, double high) {
   if (!std::isfinite(share)) return {};
+  const auto x = [](double v) { return 5 + 102 * std::clamp(v, 0.0, 1.0); };
+  const std::string reach = std::isfinite(low + high)
+                                ? fmt::format("<line class=\"reach\" x1=\"{:.2f}\" x2=\"{:.2f}\" y1=\"7\" y2=\"7\"/>", x(low), x(high))
+                                : std::string();
   return {fmt::format(
       "<svg class=\"place{}\" viewBox=\"0 0 112 14\" aria-hidden=\"true\"><line class=\"axis\" x1=\"5\" x2=\"107\" y1=\"7\" y2=\"7\"/>"
-      "<circle cx=\"{:.2f}\" cy=\"7\" r=\"5\"/></svg>",
-      at_bound ? " bound" : "", 5 + 102 * std::clamp(share, 0.0, 1.0))};
+      "{}<circle cx=\"{:.2f}\" cy=\"7\" r=\"5\"/></svg>",
+      at_bound ? " bound" : "", reach, x(share))};
 }
 
 Html synthetic_badge() { return markup("<span class=\"badge\">synthetic data</span>"); }

@@ -2,6 +2,7 @@
 // HTML tables and small static drawings. Everything that returns `Html` is safe to insert; plain strings are escaped on the way in.
 #pragma once
 
+#include <cmath>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -48,11 +49,15 @@ class HtmlTable {
     sortable_ = true;
     return *this;
   }
+  HtmlTable& look(std::string_view classes) {  // of report.css; "frozen": its first column stays in sight
+    classes_ = classes;
+    return *this;
+  }
   Html html() const;
 
  private:
   HtmlTable& add(std::string& part, std::string_view classes, const std::vector<Cell>& cells);
-  std::string caption_, head_, body_, foot_;
+  std::string caption_, classes_, head_, body_, foot_;
   bool sortable_ = false;
 };
 
@@ -67,8 +72,8 @@ Html fact(std::string_view term, std::string_view value, bool wide = false);
 
 // value with its interval on the common scale [lower, upper]; empty unless all are finite.
 Html interval_drawing(double value, double low, double high, double lower, double upper, std::size_t series);
-// Where a fitted value lies between its bounds.
-Html place_drawing(double share, bool at_bound);
+// Where a fitted value lies between its bounds, and its interval, if that is finite; all from 0 to 1.
+Html place_drawing(double share, bool at_bound, double low = NAN, double high = NAN);
 // "synthetic data", beside a page's kind.
 Html synthetic_badge();
 // Line sample of a series in the charts' legend.

@@ -53,6 +53,13 @@ std::string brief(double value, int significant) {
   return text;
 }
 
+std::string with_error(double value, double error, int decimals) {
+  const std::string text = fixed(value, decimals);
+  if (!std::isfinite(error)) return text;
+  const bool vanishes = error > 0 && error < 0.5 * std::pow(10, -decimals);
+  return text + " ± " + (vanishes ? rounded(error, 1) : fixed(error, decimals));
+}
+
 std::string percent(double share) {
   if (!std::isfinite(share)) return kUndefined;
   const double value = 100 * share;

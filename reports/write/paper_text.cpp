@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "reports/write/paper_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 
 #include "reports/write/plain_text.h"
@@ -76,6 +79,29 @@ const Pair* find(const std::array<Pair, N>& table, std::string_view text) {
   return found == table.end() ? nullptr : found;
 }
 
+bool word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+// Bytes of a symbol with a subscript, "τ_v" or "r_rep", that begins here; 0: there is none, or it is the end of a word ("chi_rep").
+std::size_t subscripted(std::string_view before, std::string_view text) {
+  const Pair* greek = find(kCommands, text);
+  const bool letter = !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0;
+  const std::size_t base = greek != nullptr && greek->first.size() == 2 && greek->second.starts_with("$\\") ? 2 : letter ? 1 : 0;
+  if (base == 0 || text.size() < base + 2 || text[base] != '_' || (!before.empty() && (word(before.back()) || before.back() == '_')))
+    return 0;
+  std::size_t end = base + 1;
+  while (end < text.size() && word(text[end])) ++end;
+  return end == base + 1 || (end < text.size() && text[end] == '_') ? 0 : end;
+}
+
+// "$\tau_{v}$", "$r_{\mathrm{rep}}$"
+std::string math_of(std::string_view symbol) {
+  const std::size_t at = symbol.find('_');
+  std::string base(symbol.substr(0, at));
+  if (const Pair* greek = find(kCommands, base); greek != nullptr) base = std::string(greek->second.substr(1, greek->second.size() - 2));
+  const std::string below(symbol.substr(at + 1));
+  return fmt::format("${}_{{{}}}$", base, below.size() > 1 ? fmt::format("\\mathrm{{{}}}", below) : below);
+}
+
 }  // namespace
 
 std::string latex_text(std::string_view utf8) {
@@ -92,6 +118,11 @@ std::string latex_text(std::string_view utf8) {
     }
     if (!raised.empty()) {
       out += "$^{" + raised + "}$";
+      continue;
+    }
+    if (const std::size_t length = subscripted(out, rest); length > 0) {
+      out += math_of(rest.substr(0, length));
+      rest.remove_prefix(length);
       continue;
     }
     const Pair* command = find(kCommands, rest);

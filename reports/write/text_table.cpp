@@ -113,6 +113,34 @@ std::string TextTable::text(std::size_t indent) const {
   return out;
 }
 
+std::size_t TextTable::width() const {
+  std::size_t out = 1;
+  const auto width = widths();
+  for (std::size_t k = 0; k < width.size(); ++k) out += width[k] + (k > 0 ? kApart : 0);
+  return out;
+}
+
+std::string TextTable::folded() const {
+  const auto width = widths();
+  std::string out;
+  for (std::size_t from = 1; from < width.size();) {
+    std::size_t to = from, line = 1 + width.front();
+    while (to < width.size() && (to == from || line + kApart + width[to] <= kTextWidth)) line += kApart + width[to++];
+    std::vector<Align> align(align_.begin() + static_cast<std::ptrdiff_t>(from), align_.begin() + static_cast<std::ptrdiff_t>(to));
+    align.insert(align.begin(), align_.front());
+    TextTable block(align, style_);
+    for (const Row& r : rows_) {
+      std::vector<std::string> cells(r.cells.begin() + static_cast<std::ptrdiff_t>(from),
+                                     r.cells.begin() + static_cast<std::ptrdiff_t>(to));
+      cells.insert(cells.begin(), r.cells.front());
+      block.row(std::move(cells), r.paint);
+    }
+    out += (out.empty() ? "" : "\n") + block.text();
+    from = to;
+  }
+  return out;
+}
+
 std::string paragraph(const std::string& text, const std::string& indent) {
   return indent + wrapped(printable(text), kTextWidth - indent.size(), indent) + '\n';
 }

@@ -29,7 +29,7 @@ std::string wrapped(std::string_view text, std::size_t width, std::string_view i
 std::string ascii(std::string_view text);
 
 // Results for the terminal are as wide as this.
-inline constexpr std::size_t kTextWidth = 100;
+inline constexpr std::size_t kTextWidth = 80;
 
 // A paragraph, and a list of items with a title; text of unknown origin is shown without control characters. No items, no list.
 std::string paragraph(const std::string& text, const std::string& indent = "");
@@ -47,6 +47,9 @@ class TextTable {
   void row(std::vector<std::string> cells, Paint paint = Paint::plain);
   // One line per row, columns two spaces apart, lines indented by `indent` spaces.
   std::string text(std::size_t indent = 1) const;
+  std::size_t width() const;  // of its longest line
+  // In blocks of as many columns as kTextWidth holds, each headed by the first column; an empty line between blocks.
+  std::string folded() const;
 
  private:
   struct Row {

@@ -21,8 +21,11 @@ RANKED = "return [...document.querySelectorAll('#ranking tbody tr')].map((row) =
 class Reports(Page):
     def test_comparison_is_drawn(self):
         self.open_player("compare")
-        charts = self.browser.run("return document.querySelectorAll('figure h3').length") + 4
+        charts = self.browser.run("return document.querySelectorAll('.grid figure h3').length")
         self.expect_pictures(charts, 1 + len(MODELS))
+        drawings = self.browser.run("return [...document.querySelectorAll('.paper svg')].map((s) => s.getBoundingClientRect().height)")
+        self.assertGreaterEqual(len(drawings), 7)
+        self.assertGreater(min(drawings[:7]), 40)
 
     def test_fit_is_drawn(self):
         self.open_player("fit")
@@ -52,10 +55,31 @@ class Reports(Page):
 
     def test_charts_follow_the_legend(self):
         self.open("compare")
-        chart = self.browser.find("#energy-chart")
+        chart = self.browser.find("#pdf-v")
         before = self.picture(chart)["print"]
         self.browser.click(self.browser.find("#legend input[data-model='0']"))
         self.assertNotEqual(self.picture(chart)["print"], before)
+
+    # Nothing is hidden: the page never scrolls sideways, and of what is wider than its box a shadow shows, with the name of the row kept.
+    def test_fits_every_screen(self):
+        self.open("compare")
+        for width in 1280, 1104, 420:
+            self.browser.devtools("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+            self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), width)
+            wide = self.browser.run("return [...document.querySelectorAll('main > section .scroll')].filter((s) => s.scrollWidth > "
+                                    "s.clientWidth + 1).map((s) => [s.ariaLabel, s.querySelector('table').className])")
+            if width > 1000:
+                self.assertEqual(wide, [])
+            for name, look in wide:
+                self.assertIn("frozen", look, name)
+        kept = """
+            const box = document.querySelector('#energies .scroll');
+            box.scrollLeft = 150;
+            return [box.scrollLeft, box.querySelector('tbody th').getBoundingClientRect().left - box.getBoundingClientRect().left];"""
+        scrolled, left = self.browser.run(kept)
+        self.browser.devtools("Emulation.clearDeviceMetricsOverride")
+        self.assertGreater(scrolled, 50)
+        self.assertLess(abs(left), 2)
 
     def test_several_recordings(self):
         self.open("several")
@@ -175,7 +199,7 @@ class Studies(Page):
 
     def test_recovery(self):
         self.open("recover")
-        self.assertRegex(self.answer(), r"^The model that made the recording is ranked first in (all 4|\d of 4) recordings\.$")
+        self.assertRegex(self.answer(), r"^The true model is ranked first in (all 4|\d of 4) recordings\.$")
         self.expect_matrix("#confusion", 2)
         self.assertIn("swarmfit recover --config config.toml --out NEW_FOLDER", self.browser.text(self.browser.find("#repeat")))
         self.browser.run("for (const part of document.querySelectorAll('details')) part.open = true")

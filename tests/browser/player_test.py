@@ -164,5 +164,5 @@ class Players(Page):
         self.browser.run("document.querySelector('.player').scrollIntoView()")
         time.sleep(1)
         self.assertEqual(self.browser.text(self.browser.find(".player .play")), "Play")
-        self.assertIn("frame 0", self.time_shown())
+        self.assertIn("frame 30", self.time_shown(), "the middle of the film, where tails can be seen")
         self.assertGreater(self.picture(self.browser.find(".stage canvas"))["painted"], 0.003)

@@ -263,14 +263,15 @@ TEST_F(Program, OneKindOfAnimalByItself) {
   };
   EXPECT_EQ(numbers("all.csv all.csv --kind 0"), numbers("sheep.csv sheep.csv"));
   EXPECT_NE(numbers("all.csv all.csv"), numbers("sheep.csv sheep.csv"));
-  expect_refused("describe all.csv --kind wolf --fps 10 --unit m", "--kind wolf: nobody in all.csv is of that kind; expected one of 0, 1");
+  expect_refused("describe all.csv --kind wolf --fps 10 --unit m",
+                 "--kind wolf: no individual in all.csv is of that kind; expected one of 0, 1");
 }
 
 TEST_F(Program, RecoverCountsWhoWinsOnWhoseRecording) {
   const std::string job = "recover -m bswarm,boids --seeds 1 --agents 6 --frames 50 --max-evaluations 10 -q ";
   const Result r = run(job + "--out r");
   ASSERT_EQ(r.code, 0) << r.err;
-  EXPECT_THAT(r.out, AllOf(HasSubstr("planted \\ ranked first"), HasSubstr("of 1")));
+  EXPECT_THAT(r.out, AllOf(HasSubstr("true model \\ ranked first"), HasSubstr("of 1")));
   ASSERT_EQ(run("recover --config r/config.toml -q --out again").code, 0);
   EXPECT_EQ(content(dir_ / "r/tables/cases.csv"), content(dir_ / "again/tables/cases.csv"));
   ASSERT_EQ(run(job + R"(--unit 'm"m\x' --out odd)").code, 0);

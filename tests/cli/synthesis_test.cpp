@@ -33,7 +33,7 @@ TEST_F(Program, AugmentAddsToWhatWasRecorded) {
 TEST_F(Program, RefusesWhatCannotBeAdded) {
   expect_refused("extend demo", "extend: nothing to write; expected --out FILE or --html FILE");
   expect_refused("extend demo --onward 0 --bridge 0 -o x.csv", "nothing to add");
-  expect_refused("extend demo --onward nobody=3 -o x.csv", "--onward nobody: nobody in demo has that name");
+  expect_refused("extend demo --onward nobody=3 -o x.csv", "--onward nobody: no individual in demo has that name");
   expect_refused("extend demo --onward many -o x.csv", "--onward: 'many': 'many' is not a number");
   expect_refused("extend demo --onward 1.5 -o x.csv", "expected frames or NAME=frames, a whole number");
   expect_refused("extend demo -m birds -o x.csv", "model 'birds'");

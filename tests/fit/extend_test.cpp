@@ -133,7 +133,7 @@ TEST(Extend, RefusesWhatItCannotDo) {
     return "";
   };
   EXPECT_THAT(error({pilot(), {.all = 0}, {.all = 0}}), HasSubstr("nothing to add"));
-  EXPECT_THAT(error({pilot(), {.own = {{"nobody", 3}}}, {}}), HasSubstr("`onward` nobody: nobody in demo has that name"));
+  EXPECT_THAT(error({pilot(), {.own = {{"nobody", 3}}}, {}}), HasSubstr("`onward` nobody: no individual in demo has that name"));
   Pilot wrong = pilot();
   wrong.set["speed"] = 1;
   EXPECT_THAT(error({wrong, {.all = 1}, {}}), HasSubstr("`set` speed: fastswarm has no such parameter; expected one of w_rep"));

@@ -156,7 +156,7 @@ TEST(CompareAtLags, SaysWhenEvenTheLongestLagIsDrowned) {
   options.models.resize(1);
   EXPECT_THAT(compare(swarm(0.5), options).warnings, Contains(HasSubstr("may show motion: --lags")));
   options.lags = {};
-  EXPECT_THAT(compare(swarm(30), options).warnings, Contains(HasSubstr("too short for a longer one")));
+  EXPECT_THAT(compare(swarm(30), options).warnings, Contains(HasSubstr("too short for a longer lag")));
 }
 
 // An eighth of 150 frames has 18: a jerk at lag 8 needs 25, an acceleration 17.
@@ -166,7 +166,7 @@ TEST(CompareAtLags, TheSkillDoesWithoutLagsThatAreTooLongForIt) {
     options.models.resize(1);
     const Comparison c = compare(swarm(), options);
     EXPECT_TRUE(std::isfinite(c.models[0].likeness.skill.value));
-    EXPECT_THAT(c.warnings, Contains(HasSubstr("The skill leaves out alpha@8, mu@8")));
+    EXPECT_THAT(c.warnings, Contains(HasSubstr("Skill leaves out alpha@8, mu@8")));
     EXPECT_GT(c.ranking.weights.back(), 0) << "the score does not";
   }
 }

@@ -48,7 +48,7 @@ TEST(SkillWarnings, SayWhoDecidesTheWinner) {
   Comparison c;
   c.models = {named("a", 0.5, 0), named("b", 0.4, 0), named("c", 0.3, 0)};
   c.ranking.without = {{"a", {}, {{"b", 1}}, false, false}, {"c", {}, {{"b", 1}, {"a", 0.9}}, true, true}};
-  EXPECT_THAT(warnings_of_skill(c), ElementsAre("Who wins by score depends on who is compared: without c it is b."));
+  EXPECT_THAT(warnings_of_skill(c), ElementsAre("Which model ranks first depends on which models are compared: without c, b ranks first."));
 }
 
 TEST(SkillWarnings, UndefinedSkillIsExplained) {
@@ -64,14 +64,14 @@ TEST(SkillWarnings, NoMemoryOfDirection) {
   c.recording.skill.memory_p = 0.43;
   c.ranking.walk_suffices = true;
   c.recording.skill.null_of = SkillNull::places;
-  EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("No detectable memory of direction: the recording is like random walks made of "
-                                                          "its own steps (p = 0.43 among 99)"),
-                                                HasSubstr("skill is measured from a coarser null: 0 is no closer than its own places")));
+  EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("No detectable memory of direction: the recording cannot be distinguished from "
+                                                          "random walks of its own steps (p = 0.43, 99 walks)"),
+                                                HasSubstr("skill uses a coarser zero: its own positions")));
   c.recording.skill.memory_p = 0.05;
   c.recording.skill.null_of = SkillNull::steps;
   c.recording.skill.walker = {0, 0.01};
   c.models = {named("a", -0.4, 0.01), named("b", -0.1, 0.02)};
-  EXPECT_THAT(warnings_of_skill(c), Contains("No model is closer to the recording than a random walk made of its own steps (skill 0.00; b, "
+  EXPECT_THAT(warnings_of_skill(c), Contains("No model is closer to the recording than a random walk of its own steps (skill 0.00; b, "
                                              "the best, -0.10 ± 0.02)."));
   c.ranking.walk_suffices = false;
   EXPECT_THAT(warnings_of_skill(c), Not(Contains(HasSubstr("random walk"))));
@@ -86,7 +86,7 @@ TEST(SkillWarnings, RejectedAndYetAsCloseAsHalves) {
   c.recording.skill.mean_null = 0.5;  // so that the floor is uncertain by .025 of the scale
   c.models[0].standing.certainty.goodness_p = 0.01;
   EXPECT_THAT(warnings_of_skill(c),
-              ElementsAre(HasSubstr("a is rejected although its skill is 0.97: metric by metric it is about as close as "
+              ElementsAre(HasSubstr("a is rejected although its skill is 0.97: each metric alone is about as close as "
                                     "two halves of the recording")));
   EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("(fit p ≤ 0.01)")));
   c.models[0].likeness.skill.value = 0.96;
@@ -111,9 +111,9 @@ TEST(SkillWarnings, IdentifiedInteractionWhereNoneIsDetected) {
   EXPECT_THAT(warnings_of_skill(c), IsEmpty());
   c.recording.skill.interaction_p[1] = 0.9;
   EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("No detectable interaction"),
-                                                HasSubstr("brownian: C_r is called identified although no interaction is detectable.")));
+                                                HasSubstr("brownian: C_r is identified although no interaction is detectable.")));
   c.models[0].parameters[1].posterior.verdict = "identified";
-  EXPECT_THAT(warnings_of_skill(c), Contains(HasSubstr("brownian: C_r, l_r are called identified")));
+  EXPECT_THAT(warnings_of_skill(c), Contains(HasSubstr("brownian: C_r, l_r are identified")));
   c.models[0].parameters = {drag};
   EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("No detectable interaction")));
 }

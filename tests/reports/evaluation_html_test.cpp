@@ -52,8 +52,9 @@ std::string page_of(const Pair& p) {
 TEST(EvaluationPage, AnswersInWords) {
   Pair p = sample();
   EXPECT_EQ(evaluation_sentence(p.evaluation),
-            "Most alike in acceleration (energy 0.250), least alike in angular velocity (energy 1.500).");
-  EXPECT_THAT(page_of(p), HasSubstr("<h1>Most alike in acceleration (energy 0.250), least alike in angular velocity (energy 1.500).</h1>"));
+            "Most similar in acceleration (energy 0.250), least similar in angular velocity (energy 1.500).");
+  EXPECT_THAT(page_of(p),
+              HasSubstr("<h1>Most similar in acceleration (energy 0.250), least similar in angular velocity (energy 1.500).</h1>"));
   EXPECT_THAT(page_of(p), HasSubstr("<p class=\"lead\">Energy: 0 for the same distribution, 20 for disjoint ones.</p>"));
   EXPECT_THAT(page_of(p), HasSubstr("<dd>simulated.csv (synthetic)</dd>"));
   p.evaluation.raw_energies.fill(NAN);

@@ -11,6 +11,8 @@
 #include <fstream>
 #include <regex>
 
+#include "reports/comparison/figure_parts.h"
+#include "reports/comparison/picture_tables.h"
 #include "reports/draw/svg.h"
 #include "tests/reports/sample.h"
 
@@ -141,8 +143,9 @@ TEST(Figures, APeakBeyondTwiceTheRecordingsIsCutAndSaid) {
   h.counts[50] = h.samples = 60000;
   c.models[2].runs.outside_fraction[kDistance] = 0.12;
   const std::vector<Figure> all = figures(c);
-  EXPECT_THAT(named(all, "densities").caption, AllOf(HasSubstr("Cut at 2 times the recording's peak: v (boids)"),
-                                                     HasSubstr("Samples beyond the binned interval: d of bswarm[noise=gaussian] (12 %).")));
+  EXPECT_THAT(named(all, "densities").caption,
+              AllOf(HasSubstr("Model peaks cropped at 2 times the recording's peak: v (boids)"),
+                    HasSubstr("Samples outside the binned interval: d of bswarm[noise=gaussian] (12 %).")));
   EXPECT_THAT(named(figures(sample_comparison()), "densities").caption, Not(HasSubstr("v (boids)")));
 }
 
@@ -169,10 +172,10 @@ TEST(Figures, PosteriorsAreBarsBesideTheirValues) {
 }
 
 TEST(Figures, CaptionsComeInBothLanguages) {
-  const std::vector<Figure> all = {{"density_v", "A_b 5 %.", "<svg/>"}};
+  const std::vector<Figure> all = {{"density_v", "Ab_c 5 %.", "<svg/>"}};
   EXPECT_THAT(captions_latex({{"scores", "", "<svg width=\"178mm\"/>"}}), HasSubstr("\\begin{figure*}")) << "as wide as a page";
-  EXPECT_EQ(captions_markdown(all), "**density\\_v.svg** A\\_b 5 %.\n");
-  EXPECT_THAT(captions_latex(all), HasSubstr("\\includegraphics{density_v.pdf}\n  \\caption{A\\_b 5 \\%.}\n  \\label{fig:density_v}"));
+  EXPECT_EQ(captions_markdown(all), "**density\\_v.svg** Ab\\_c 5 %.\n");
+  EXPECT_THAT(captions_latex(all), HasSubstr("\\includegraphics{density_v.pdf}\n  \\caption{Ab\\_c 5 \\%.}\n  \\label{fig:density_v}"));
 }
 
 TEST(Svg, LengthsAreShort) {
@@ -187,6 +190,54 @@ TEST(Svg, OnlyCharactersOfXmlPass) {
   EXPECT_EQ(svg::xml_escaped("\xef\xbf\xbf"), "???") << "U+FFFF";
   EXPECT_EQ(svg::xml_escaped("\xc0\xaf\xf0\x80\x80\xaf"), "??????") << "overlong";
   EXPECT_EQ(svg::xml_escaped("\xe2\x82"), "??") << "cut short";
+}
+
+// As compare fills them, from the films.
+Comparison with_pictures() {
+  Comparison c = sample_comparison();
+  const PictureGrid grid = picture_grid(c.film);
+  c.recording.pictures = {grid, pictures(c.film, grid), timeline(c.film)};
+  for (ModelFit& r : c.models) r.likeness.pictures = picture_spread({pictures(r.film, grid), pictures(c.film, grid)});
+  return c;
+}
+
+TEST(Pictures, StandBesideEachOther) {
+  const Comparison c = with_pictures();
+  std::vector<std::string> names;
+  for (const Figure& f : figures(c)) {
+    names.push_back(f.name);
+    EXPECT_TRUE(is_figure(f.name + ".svg")) << f.name;
+    EXPECT_THAT(f.svg, Not(testing::ContainsRegex("[^a-z](nan|inf)[^a-z]"))) << f.name;
+  }
+  for (const char* name : {"neighbours", "responses", "curves", "order", "space"}) EXPECT_THAT(names, testing::Contains(name));
+  EXPECT_THAT(parts::data_quality(c).svg, HasSubstr("individuals seen per frame"));
+  EXPECT_THAT(parts::trajectory_strip(c).svg, HasSubstr("bswarm, the best model"));
+  EXPECT_EQ(parts::neighbours(sample_comparison()).svg, "") << "nothing was measured";
+}
+
+TEST(Pictures, PosteriorOfEveryModelThatHasOne) {
+  Comparison c = sample_comparison();
+  EXPECT_EQ(parts::posterior(c, 0).svg, "");
+  PosteriorFacts& p = c.models[0].posterior;
+  const auto searched = std::count_if(c.models[0].parameters.begin(), c.models[0].parameters.end(), [](const auto& q) { return q.fitted; });
+  for (int k = 0; k < 10; ++k) {
+    std::vector<double> point;
+    for (const ParameterResult& q : c.models[0].parameters)
+      if (q.fitted) point.push_back(q.lower + (q.upper - q.lower) * (k + 0.5) / 10);
+    p.sample.push_back(point);
+    p.weight.push_back(0.1);
+  }
+  p.simulations = 10;
+  const Figure f = parts::posterior(c, 0);
+  EXPECT_EQ(f.name, "posterior_1");
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(searched), 3);
+  EXPECT_THAT(f.caption, HasSubstr("Posterior of bswarm"));
+}
+
+TEST(Pictures, TableHasARowPerValue) {
+  const std::string csv = pictures_csv(with_pictures());
+  EXPECT_THAT(csv, testing::StartsWith("picture,model,x,y,value,sd\nneighbour_density,recording,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n') % 6, 1) << "a heading; the recording and five models";
 }
 
 }  // namespace

@@ -41,10 +41,10 @@ std::vector<std::string> table(const Comparison& c, const std::string& name) {
 
 TEST(LagWords, SayWhichLagCarriedTheDecision) {
   EXPECT_EQ(lag_weights(sample_at_lags()),
-            "Lag 16 (0.16 s) carried 70 % of the weight, lag 1 (0.01 s) 12 %, lag 4 (0.04 s) 10 % and what has no lag (d, η) 8 %. ");
+            "Lag 16 (0.16 s) carried 70 % of the weight, lag 1 (0.01 s) 12 %, lag 4 (0.04 s) 10 % and metrics without lag (d, η) 8 %. ");
   EXPECT_THAT(lag_weights(sample_comparison()), IsEmpty()) << "one lag has nobody to share with";
   EXPECT_EQ(lags_measured(sample_at_lags()),
-            "Motion is measured at lag 1 (0.01 s), lag 4 (0.04 s) and lag 16 (0.16 s). Localisation error makes up at most 78 % of a "
+            "Motion is measured at lag 1 (0.01 s), lag 4 (0.04 s) and lag 16 (0.16 s). Measurement error makes up at most 78 % of a "
             "metric's variance at lag 1, 10 % at lag 4 and 2 % at lag 16.");
   EXPECT_THAT(lags_measured(sample_comparison()), HasSubstr("Motion is measured at lag 1 (0.01 s)."));
   Comparison unknown = sample_at_lags();
@@ -102,12 +102,12 @@ TEST(LagJson, HasEveryColumnAndEveryLag) {
 
 TEST(LagTerminal, ATablePerLagFitsALine) {
   for (const bool unicode : {true, false}) {
-    const std::string text = ranking_text(sample_at_lags(), {.colour = false, .unicode = unicode});
-    for (const auto& line : lines_of(text)) EXPECT_LE(display_width(line), 100u) << line;
-    EXPECT_THAT(text, AllOf(HasSubstr("raw energy at lag 4, 0.04 s"), HasSubstr("raw energy at lag 16, 0.16 s"),
-                            HasSubstr("Lag 16 (0.16 s)"), HasSubstr(unicode ? "ω@16" : "omega@16")));
+    const std::string text = ranking_text(sample_at_lags(), {.colour = false, .unicode = unicode}, Detail::all);
+    for (const auto& line : lines_of(text)) EXPECT_LE(display_width(line), 80u) << line;
+    EXPECT_THAT(text, AllOf(HasSubstr("energy, lag 4 (0.04 s)"), HasSubstr("energy, lag 16 (0.16 s)"), HasSubstr("Lag 16 (0.16 s)"),
+                            HasSubstr(unicode ? "ω@16" : "omega@16")));
   }
-  EXPECT_THAT(ranking_text(sample_comparison(), {}), Not(HasSubstr("raw energy at lag")));
+  EXPECT_THAT(ranking_text(sample_comparison(), {}, Detail::all), Not(HasSubstr("energy, lag")));
 }
 
 TEST(LagHtml, DrawsEveryColumnAndSharesOutTheWeight) {

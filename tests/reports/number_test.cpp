@@ -28,6 +28,13 @@ TEST(Number, RoundedKeepsSignificantDigits) {
   EXPECT_EQ(rounded(NAN), "–");
 }
 
+TEST(Number, ErrorsDoNotVanish) {
+  EXPECT_EQ(with_error(0.923, 0.031, 2), "0.92 ± 0.03");
+  EXPECT_EQ(with_error(0.998, 0.0042, 2), "1.00 ± 0.004");
+  EXPECT_EQ(with_error(1, 0, 2), "1.00 ± 0.00");
+  EXPECT_EQ(with_error(1, NAN, 2), "1.00");
+}
+
 TEST(Number, InPrintHasMinusSignsAndPowers) {
   EXPECT_EQ(in_print("-0.04 .. 0.15"), "−0.04 to 0.15");
   EXPECT_EQ(in_print("0.1 ± 0.2 (-0.83)"), "0.1 ± 0.2 (−0.83)");

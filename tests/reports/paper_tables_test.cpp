@@ -31,7 +31,7 @@ TEST(PaperTables, EnergiesAreModelsByMetricsWithTheirNormalisation) {
   EXPECT_EQ(t.head.size(), 1u + kMetrics);
   EXPECT_EQ(t.rows[0][0], "bswarm");
   EXPECT_THAT(t.rows[0][1], HasSubstr(" ± "));
-  EXPECT_EQ(t.rows[5][0], "p1");
+  EXPECT_EQ(t.rows[5][0], "least (p1)");
   EXPECT_EQ(t.rows[7][0], "weight");
   EXPECT_EQ(t.rows[7][1], "0.2100");
   EXPECT_EQ(t.rows[7][4], "–") << "not in the score";
@@ -41,9 +41,9 @@ TEST(PaperTables, EnergiesAreModelsByMetricsWithTheirNormalisation) {
 TEST(PaperTables, OnlyFittedParametersAreListed) {
   const PaperTable t = named("parameters");
   EXPECT_EQ(t.rows.size(), 5u * 3);
-  EXPECT_EQ(t.rows[1][2], "2310 *") << "the mark of a bound";
-  EXPECT_THAT(to_latex(t), HasSubstr("\\begin{tabular}{llrrrlrr}"));
-  EXPECT_THAT(to_markdown(t), HasSubstr("|---|---|---:|---:|---:|---|---:|---:|"));
+  EXPECT_EQ(t.rows[1][3], "2310 *") << "the mark of a bound";
+  EXPECT_THAT(to_latex(t), HasSubstr("\\begin{tabular}{lllrrrlrr}"));
+  EXPECT_THAT(to_markdown(t), HasSubstr("|---|---|---|---:|---:|---:|---|---:|---:|"));
 }
 
 TEST(PaperTables, MarkdownByHand) {
@@ -52,11 +52,11 @@ TEST(PaperTables, MarkdownByHand) {
 }
 
 TEST(PaperTables, LatexByHand) {
-  const PaperTable t{"x", "50 %.", {"model", "ω"}, {{"a_b", "1 ± 2"}}};
+  const PaperTable t{"x", "50 %.", {"model", "ω"}, {{"ab_c", "1 ± 2"}}};
   EXPECT_EQ(to_latex(t),
             "% needs \\usepackage{booktabs}\n\\begin{table}\n  \\caption{50 \\%.}\n  \\label{tab:x}\n  \\centering\n"
             "  \\footnotesize\\setlength{\\tabcolsep}{3pt}\n  \\begin{tabular}{lr}\n    \\toprule\n    model & $\\omega$ \\\\\n    "
-            "\\midrule\n    a\\_b & 1 $\\pm$ 2 \\\\\n"
+            "\\midrule\n    ab\\_c & 1 $\\pm$ 2 \\\\\n"
             "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n");
 }
 
@@ -81,6 +81,9 @@ TEST(PaperTables, TheRankingHasGroupsSkillAndTheHeldOutHalf) {
 
 TEST(PaperTables, PowersAndMinusSignsAreLatex) {
   EXPECT_EQ(latex_text("10⁻¹² mm/s¹·⁵"), "10$^{-12}$ mm/s$^{1.5}$");
+  EXPECT_EQ(latex_text("τ_v, χ_rep"), "$\\tau_{v}$, $\\chi_{\\mathrm{rep}}$");
+  EXPECT_EQ(latex_text("r_rep C_r"), "$r_{\\mathrm{rep}}$ $C_{r}$");
+  EXPECT_EQ(latex_text("chi_rep x_ a_b_c"), "chi\\_rep x\\_ a\\_b\\_c") << "names stay names";
   EXPECT_EQ(latex_text("a·b² · −3"), "a$\\cdot$b$^{2}$ $\\cdot$ $-$3");
 }
 

@@ -39,13 +39,16 @@ std::string page() { return parameter_recovery_html(sample(), {{"parameters", "t
 TEST(ParameterRecoveryPage, AnswersInWords) {
   ParameterRecovery r = sample();
   const std::string a = r.parameters[0].name, b = r.parameters[1].name;
-  EXPECT_EQ(coverage_sentence(r), "The 95 % intervals of " + a + " of brownian hold the truth too rarely.");
+  EXPECT_EQ(coverage_sentence(r), "The 95 % intervals of " + a + " of brownian contain the true value too rarely.");
   r.fewest = 1;
-  EXPECT_EQ(coverage_sentence(r), "The 95 % intervals of all 2 parameters of brownian hold the truth as often as they should.");
+  EXPECT_EQ(coverage_sentence(r), "The 95 % intervals of all 2 parameters of brownian contain the true value as often as they should.");
   r.most = 1;
-  EXPECT_EQ(coverage_sentence(r), "The 95 % intervals of " + b + " of brownian hold the truth too often: they are too wide.");
-  EXPECT_EQ(coverage_sentence({"brownian", {}, {}, 30, 0, 0}), "None of 30 recordings made by brownian carries a fit.");
-  EXPECT_THAT(page(), HasSubstr("cover 2 to 2 of 2 (99 % of the binomial, 2 parameters). 3 more plants were left out"));
+  EXPECT_EQ(coverage_sentence(r), "The 95 % intervals of " + b + " of brownian contain the true value too often: they are too wide.");
+  EXPECT_EQ(coverage_sentence({"brownian", {}, {}, 30, 0, 0}), "None of 30 recordings simulated from brownian can be fitted.");
+  EXPECT_THAT(
+      page(),
+      HasSubstr(
+          "Correct 95 % intervals contain 2 to 2 of 2 true values (99 % of the binomial, 2 parameters). 3 more recordings were left out"));
 }
 
 TEST(ParameterRecoveryPage, CoverageStandsBesideItsBand) {
@@ -103,7 +106,7 @@ TEST(ParameterRecoveryPage, OneRecordingAloneIsDrawnToo) {
 
 TEST(ParameterRecoveryPage, WithoutAFitThereIsAPageStill) {
   const std::string empty = parameter_recovery_html({"brownian", {}, {}, 30, 0, 0}, {}, "1.2.3");
-  EXPECT_THAT(empty, HasSubstr("<h1>None of 30 recordings made by brownian carries a fit.</h1>"));
+  EXPECT_THAT(empty, HasSubstr("<h1>None of 30 recordings simulated from brownian can be fitted.</h1>"));
   EXPECT_THAT(empty, Not(HasSubstr("id=\"coverage\"")));
   EXPECT_THAT(empty, HasSubstr("swarmfit recover --config config.toml"));
 }

@@ -30,11 +30,10 @@ Power sample() {
 
 TEST(PowerPage, AnswersInWords) {
   const std::string page = power_html(sample(), {{"seeds", "3"}});
-  EXPECT_THAT(page, HasSubstr("<h1>A recording like this one does not tell bswarm from boids (about 3 times as many minutes or animals "
-                              "would).</h1>"));
-  EXPECT_THAT(page, HasSubstr("The model that made the recording is ranked first in 1 of 1 recording."));
+  EXPECT_THAT(page, HasSubstr("<h1>A recording like this one does not distinguish bswarm and boids (the right order needs about "));
+  EXPECT_THAT(page, HasSubstr("The true model is ranked first in 1 of 1 recording."));
   EXPECT_THAT(page, HasSubstr("<dt>recording</dt><dd>swarm.txt</dd>"));
-  EXPECT_THAT(page, HasSubstr("Before you believe this"));
+  EXPECT_THAT(page, HasSubstr(">Warnings<"));
   EXPECT_THAT(page, HasSubstr("<code>swarmfit power --config config.toml --out NEW_FOLDER</code>"));
   EXPECT_THAT(page, HasSubstr("Made by swarmfit 0.1.0."));
   EXPECT_THAT(page, Not(HasSubstr("{{")));

@@ -30,16 +30,16 @@ Power sample() {
 TEST(PowerReport, SaysWhatIsNotToldApartAndHowMuchItWouldTake) {
   Power p = sample();
   EXPECT_EQ(power_sentence(p),
-            "A recording like this one does not tell bswarm from brownian (about 3 times as many minutes or animals would).");
+            "A recording like this one does not distinguish bswarm and brownian (the right order needs about 2.7 times as much data).");
   p.pairs[1].factor = INFINITY;
-  EXPECT_EQ(power_sentence(p), "A recording like this one does not tell bswarm from brownian (more of the same may not).");
+  EXPECT_EQ(power_sentence(p), "A recording like this one does not distinguish bswarm and brownian (more data may not help).");
   p.pairs[1].factor = 1;
   EXPECT_EQ(power_sentence(p),
-            "A recording like this one ranks all these models rightly. It mostly puts bswarm and brownian in the right order, but is too "
-            "short to be sure of it.")
+            "A recording like this one ranks all these models correctly. It ranks bswarm and brownian in the right order, but does not "
+            "distinguish them with certainty.")
       << "as the table says";
   p.pairs[1].told_apart = 2;
-  EXPECT_EQ(power_sentence(p), "A recording like this one tells all these models apart.");
+  EXPECT_EQ(power_sentence(p), "A recording like this one distinguishes all these models.");
 }
 
 TEST(PowerReport, PairsByHand) {

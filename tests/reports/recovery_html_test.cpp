@@ -36,17 +36,17 @@ const Settings kSettings{{"seeds", "2"},    {"agents", "10"},   {"frames", "300"
 std::string page() { return recovery_html(sample(), kSettings, "1.2.3"); }
 
 TEST(RecoveryPage, AnswersInWords) {
-  EXPECT_EQ(recovery_sentence(sample()), "The model that made the recording is ranked first in 3 of 4 recordings.");
+  EXPECT_EQ(recovery_sentence(sample()), "The true model is ranked first in 3 of 4 recordings.");
   EXPECT_EQ(recovery_detail(sample()),
             "It is alone in the best group in 1, shares the group with others in 1, and is not in it in 1; in 1 the groups are not known.");
   Recovery all = sample();
   all.cases.resize(2);
-  EXPECT_EQ(recovery_sentence(all), "The model that made the recording is ranked first in all 2 recordings.");
-  EXPECT_THAT(page(), HasSubstr("<h1>The model that made the recording is ranked first in 3 of 4 recordings.</h1>"));
+  EXPECT_EQ(recovery_sentence(all), "The true model is ranked first in all 2 recordings.");
+  EXPECT_THAT(page(), HasSubstr("<h1>The true model is ranked first in 3 of 4 recordings.</h1>"));
   EXPECT_THAT(page(), HasSubstr("synthetic data"));
 }
 
-// The maker's own cell is framed and blue, a rival's orange; half of two recordings is the third of five shades.
+// The true model's own cell is framed and blue, a rival's orange; half of two recordings is the third of five shades.
 TEST(RecoveryPage, ConfusionIsShadedByShare) {
   EXPECT_THAT(page(),
               HasSubstr("<th scope=\"row\" class=\"name\">bswarm</th><td class=\"mid right q5 own\">2</td><td class=\"mid none\">0</td>"
@@ -58,10 +58,12 @@ TEST(RecoveryPage, ConfusionIsShadedByShare) {
 // Groups: bswarm is in its own twice, boids once beside it; boids' only grouped recording has bswarm alone.
 TEST(RecoveryPage, SaysWhoIsToldApart) {
   EXPECT_THAT(page(), HasSubstr("<td class=\"mid right q5 own\">2</td><td class=\"mid wrong q3\">1</td><td class=\"mid\">2 of 2</td>"));
-  EXPECT_THAT(page(), HasSubstr(">bswarm</th><td>boids</td><td class=\"n\">1 of 2</td><td class=\"n\">1 of 1</td><td><b>alike</b></td>"));
+  EXPECT_THAT(
+      page(),
+      HasSubstr(">bswarm</th><td>boids</td><td class=\"n\">1 of 2</td><td class=\"n\">1 of 1</td><td><b>not distinguished</b></td>"));
   Recovery apart = sample();
   apart.cases.resize(1);
-  EXPECT_THAT(recovery_html(apart, kSettings, ""), HasSubstr("<td>told apart</td>"));
+  EXPECT_THAT(recovery_html(apart, kSettings, ""), HasSubstr("<td>distinguished</td>"));
 }
 
 TEST(RecoveryPage, CountsWhoIsRejected) {

@@ -27,13 +27,13 @@ Recovery sample() {
 
 TEST(RecoveryReport, TextByHand) {
   EXPECT_EQ(recovery_text(sample(), {}),
-            " planted \\ ranked first  bswarm  boids  recovered\n"
-            " bswarm                       1      ·     1 of 1\n"
-            " boids                        1      ·     0 of 1\n"
+            " true model \\ ranked first  bswarm  boids  recovered\n"
+            " bswarm                          1      ·     1 of 1\n"
+            " boids                           1      ·     0 of 1\n"
             "\n"
-            " planted \\ in the best group  bswarm  boids  rejected\n"
-            " bswarm                            1      ·    0 of 1\n"
-            " boids                             1      1    1 of 1\n");
+            " true model \\ in the best group  bswarm  boids  rejected\n"
+            " bswarm                               1      ·    0 of 1\n"
+            " boids                                1      1    1 of 1\n");
 }
 
 TEST(RecoveryReport, CsvHasOneRowPerCaseAndModel) {

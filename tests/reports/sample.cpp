@@ -146,7 +146,7 @@ void add_facts(Comparison& c) {
   for (std::size_t m = 0; m < kMetrics; ++m) o.used[m] = m != kAngularAcceleration && m != kJerk;
   for (const std::size_t m : {kAngularAcceleration, kJerk}) o.why_not[m] = "it is constant or undefined in the recording";
   o.drowned[kAcceleration] = true;
-  c.warnings = {"Acceleration, angular acceleration and jerk are mostly localisation error."};
+  c.warnings = {"Acceleration, angular acceleration and jerk are mostly measurement error."};
   c.run.config = {{"data", "\"swarm.txt\""}, {"seed", "18446744073709551615"}, {"models", "\"bswarm,boids\""}};
 }
 

@@ -105,27 +105,27 @@ TEST(SkillJson, WhatRefutesAModelAndWhichNullTheScaleHas) {
 // The random walk has a line of its own, and the legend says what 0 is.
 TEST(SkillReports, TheRandomWalkStandsBesideTheModels) {
   Comparison c = sample_comparison();
-  const auto legend = [&] { return ranking_text(c, {}); };
-  EXPECT_THAT(legend(), HasSubstr("\n       random walk of its own steps                               0.00\n"));
-  EXPECT_THAT(legend(), HasSubstr("0 no closer than a random\n walk of its own steps (in d and η: than its tracks shifted in time)."));
+  const auto legend = [&] { return ranking_text(c, {}, Detail::all); };
+  EXPECT_THAT(legend(), HasSubstr("\n       random walk                                            0.00\n"));
+  EXPECT_THAT(legend(), HasSubstr("0 = no better than a\n random walk of its own steps (for d and η: its tracks shifted in time)."));
   EXPECT_THAT(report_html(c), HasSubstr("0.00 ± 0.00"));
   c.recording.skill.null_of = SkillNull::places;
   c.recording.skill.walker = {0.98, 0.01};
-  EXPECT_THAT(legend(), HasSubstr("random walk of its own steps                               0.98\n"));
-  EXPECT_THAT(legend(), HasSubstr("0 no closer than its own\n places in random order."));
+  EXPECT_THAT(legend(), HasSubstr("random walk                                            0.98\n"));
+  EXPECT_THAT(legend(), HasSubstr("0 = no better than its\n own positions in random order."));
   const auto page = report_html(c);
   EXPECT_THAT(page, HasSubstr("0.98 ± 0.01"));
-  EXPECT_THAT(page, HasSubstr("its places in random order (null)"));
+  EXPECT_THAT(page, HasSubstr("its positions in random order (null)"));
   const auto skill = lines(c, "skill.csv");
   EXPECT_THAT(skill[8], testing::EndsWith(",0.03,0.003,,0.28,,0.812,0.02"));
   c.recording.skill.walker = {};
   c.recording.skill.null_of = SkillNull::steps;  // on d and eta alone
-  EXPECT_THAT(legend(), testing::Not(HasSubstr("random walk of its own steps")));
-  EXPECT_THAT(legend(), HasSubstr("0 no closer than its\n tracks shifted in time."));
+  EXPECT_THAT(legend(), testing::Not(HasSubstr("random walk")));
+  EXPECT_THAT(legend(), HasSubstr("0 = no better than its\n tracks shifted in time."));
 }
 
 TEST(SkillTerminal, SkillBesideTheScoreAndASmallPanel) {
-  const auto text = ranking_text(sample_comparison(), {});
+  const auto text = ranking_text(sample_comparison(), {}, Detail::all);
   EXPECT_THAT(text, HasSubstr("skill"));
   EXPECT_THAT(text, HasSubstr("0.81"));
   EXPECT_THAT(text, HasSubstr("not fitted"));
@@ -139,11 +139,11 @@ TEST(SkillHtml, ThreeSectionsWithTheirNumbers) {
   const auto page = report_html(sample_comparison());
   for (const char* id : {"skill", "panel"}) EXPECT_THAT(page, HasSubstr("<section id=\"" + std::string(id) + '"'));
   EXPECT_THAT(page, HasSubstr("0.81 ± 0.02"));
-  EXPECT_THAT(page, HasSubstr("have p = 0.01, the velocity differences p = 0.48"));
+  EXPECT_THAT(page, HasSubstr("nearest-neighbour distance p = 0.01, velocity difference p = 0.48"));
   EXPECT_THAT(page, HasSubstr("<td>changed</td>"));
   EXPECT_THAT(page, HasSubstr("zero of the velocity autocorrelation"));
-  EXPECT_THAT(page, HasSubstr("what was not fitted"));
-  EXPECT_THAT(page, HasSubstr("all motion in the score together has p = 0.01"));
+  EXPECT_THAT(page, HasSubstr("Observables that were not fitted"));
+  EXPECT_THAT(page, HasSubstr("all motion metrics in the score together p = 0.01"));
 }
 
 TEST(PanelUnit, PowersOfLengthAndTime) {

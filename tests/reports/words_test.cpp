@@ -28,33 +28,33 @@ Comparison in_groups(const std::vector<int>& groups) {
 TEST(Headline, ClearWinner) {
   const Headline h = headline(in_groups({1, 2, 2}));
   EXPECT_EQ(h.verdict, Verdict::clear);
-  EXPECT_EQ(h.sentence, "a moves most like the recording.");
+  EXPECT_EQ(h.sentence, "a matches the recording best.");
   EXPECT_THAT(h.detail, HasSubstr("leads b by 0.100 in score (p = 0.5)"));
-  EXPECT_THAT(h.detail, HasSubstr("The recording lies no farther from a than recordings made by it (p = 0.5)."));
-  EXPECT_THAT(h.detail, HasSubstr("Its largest misfit is in the "));
+  EXPECT_THAT(h.detail, HasSubstr("The recording is as close to a as recordings simulated from a are (p = 0.5)."));
+  EXPECT_THAT(h.detail, HasSubstr("a fits "));
 }
 
 TEST(Headline, ModelsOfTheBestGroupAreATie) {
   const Headline h = headline(in_groups({1, 1, 2}));
   EXPECT_EQ(h.verdict, Verdict::tie);
-  EXPECT_EQ(h.sentence, "a and b cannot be told apart with this recording and budget.");
-  EXPECT_THAT(h.detail, HasSubstr("a has the highest score, but leads b by only 0.100, no more than chance does (p = 0.5)."));
+  EXPECT_EQ(h.sentence, "a and b are not distinguishable with this recording and budget.");
+  EXPECT_THAT(h.detail, HasSubstr("a has the highest score, but its lead over b, 0.100, is within chance (p = 0.5)."));
 }
 
 TEST(Headline, SaysThatNoModelExplainsTheRecording) {
   Comparison c = in_groups({1, 2});
   c.models[0].standing.certainty.goodness_p = c.models[0].standing.certainty.goodness_q = 0.01;
-  EXPECT_EQ(headline(c).sentence, "a moves most like the recording.");  // b could have made it
-  EXPECT_THAT(headline(c).detail, HasSubstr("The recording lies farther from a than recordings made by it (p ≤ 0.01)."));
+  EXPECT_EQ(headline(c).sentence, "a matches the recording best.");  // b could have made it
+  EXPECT_THAT(headline(c).detail, HasSubstr("The recording is farther from a than recordings simulated from a are (p ≤ 0.01)."));
   c.models[1].standing.certainty.goodness_q = 0.05;
-  EXPECT_EQ(headline(c).sentence, "None of these models explains the recording. a comes closest.");
+  EXPECT_EQ(headline(c).sentence, "Every fitted model is rejected (p ≤ 0.05); a is least wrong.");
   c.models[1].standing.certainty.group = 1;
-  EXPECT_EQ(headline(c).sentence, "None of these models explains the recording. a and b come closest and cannot be told apart.");
+  EXPECT_EQ(headline(c).sentence, "Every fitted model is rejected (p ≤ 0.05); a and b are least wrong and not distinguishable.");
   c.models[1].standing.certainty.group = 2;
   c.models[1].standing.certainty.goodness_q = NAN;
-  EXPECT_EQ(headline(c).sentence, "a moves most like the recording.");
+  EXPECT_EQ(headline(c).sentence, "a matches the recording best.");
   c.models.pop_back();
-  EXPECT_THAT(headline(c).sentence, HasSubstr("It does not explain the recording."));
+  EXPECT_THAT(headline(c).sentence, HasSubstr("It is rejected (p ≤ 0.05)."));
 }
 
 TEST(Headline, ARandomWalkIsAnAnswer) {
@@ -62,15 +62,15 @@ TEST(Headline, ARandomWalkIsAnAnswer) {
   c.ranking.walk_suffices = true;
   const Headline close = headline(c);
   EXPECT_EQ(close.verdict, Verdict::walk);
-  EXPECT_EQ(close.sentence, "No model is closer to the recording than a random walk made of its own steps.");
-  EXPECT_THAT(close.detail, testing::StartsWith("Among the models: a moves most like the recording. It leads b by"));
+  EXPECT_EQ(close.sentence, "No model is closer to the recording than a random walk of its own steps.");
+  EXPECT_THAT(close.detail, testing::StartsWith("Among the models: a matches the recording best. It leads b by"));
   c.recording.skill.memory_p = 0.34;
   c.ranking.walk_suffices = false;
   const Headline forgets = headline(c);
   EXPECT_EQ(forgets.verdict, Verdict::walk);
-  EXPECT_EQ(forgets.sentence, "The recording moves like a random walk made of its own steps.");
-  EXPECT_THAT(forgets.detail, testing::StartsWith("It shows no memory of direction (p = 0.34), so no model can be told to explain more of "
-                                                  "how it moves. Among the models: a moves most like the recording."));
+  EXPECT_EQ(forgets.sentence, "The recording cannot be distinguished from a random walk of its own steps.");
+  EXPECT_THAT(forgets.detail, testing::StartsWith("It shows no memory of direction (p = 0.34), so no model can be shown to explain more of "
+                                                  "its motion. Among the models: a matches the recording best."));
   c.recording.skill.memory_p = 0.05;
   EXPECT_EQ(headline(c).verdict, Verdict::clear);
   for (ModelFit& r : c.models) r.standing.score = NAN;
@@ -80,12 +80,12 @@ TEST(Headline, ARandomWalkIsAnAnswer) {
 
 TEST(Headline, NamesTheFactsThatRefuteTheWinner) {
   Comparison c = in_groups({1, 2});
-  EXPECT_THAT(headline(c).detail, Not(HasSubstr("refutes")));
+  EXPECT_THAT(headline(c).detail, Not(HasSubstr("contradict")));
   const auto& items = c.recording.panel.items;
   c.models[0].likeness.refuted_by = {{items[3], {}, 1, 0}, {items[4], {}, 1, 0}};
-  EXPECT_THAT(headline(c).detail, HasSubstr("What anybody sees refutes it: mean speed and memory of direction."));
+  EXPECT_THAT(headline(c).detail, HasSubstr("Simple observables contradict it: mean speed and memory of direction."));
   c.models.pop_back();
-  EXPECT_THAT(headline(c).detail, HasSubstr("What anybody sees refutes it: mean speed and memory of direction."));
+  EXPECT_THAT(headline(c).detail, HasSubstr("Simple observables contradict it: mean speed and memory of direction."));
 }
 
 TEST(KeptFixed, OnceForAllModelsThatShareIt) {
@@ -103,7 +103,7 @@ TEST(Words, StepsPerFrameOfEveryModel) {
   c.models[0].runs.steps = 4;
   EXPECT_EQ(steps_taken(c), "b, c and d 2; a 4");
   c.models[2].runs.map = true;
-  EXPECT_EQ(steps_taken(c), "b and d 2; a 4; c decides once per frame");
+  EXPECT_EQ(steps_taken(c), "b and d 2; a 4; c takes one step per frame by definition");
 }
 
 TEST(Headline, SaysWhichModelIsFirstInSample) {
@@ -126,6 +126,42 @@ TEST(Words, FittedValuesWithTheRangeOfTheHalves) {
   EXPECT_EQ(fitted_values(m), "gamma 0.500 (0.250 .. 1.00) 1/mm, k 2.00");
 }
 
+// One in a hundred is the least that 99 simulated recordings can say.
+TEST(Words, FitPThatIsABoundSaysSo) {
+  Comparison c = in_groups({1, 2});
+  c.ranking.laws = 99;
+  c.models[0].standing.certainty.goodness_p = 0.01;
+  EXPECT_EQ(fit_p(c, c.models[0]), "≤ 0.01");
+  c.models[0].standing.certainty.goodness_p = 0.02;
+  EXPECT_EQ(fit_p(c, c.models[0]), "0.02");
+  c.models[0].standing.certainty.goodness_p = NAN;
+  EXPECT_EQ(fit_p(c, c.models[0]), "–");
+}
+
+TEST(Words, ABestValueOutsideItsIntervalIsNotIdentified) {
+  ParameterResult p;
+  p.value = 5;
+  p.posterior = {3, 1, 4, 0.9, "identified", "", NAN};
+  EXPECT_EQ(verdict_text(p), "inconsistent");
+  p.value = 2;
+  EXPECT_EQ(verdict_text(p), "identified");
+}
+
+TEST(Words, ALowerLimitOfCandidatesBelongsToTheBudget) {
+  Comparison c = in_groups({1, 2});
+  c.run.budget.name = "quick";
+  c.run.config = {{"max-evaluations", "0"}};
+  EXPECT_EQ(budget_text(c), "quick");
+  c.run.config = {{"max-evaluations", "150"}};
+  EXPECT_EQ(budget_text(c), "quick, at most 150 candidates per model");
+}
+
+TEST(Words, FileNamesAreNotPaths) {
+  EXPECT_EQ(file_name("/home/me/data/swarm.txt"), "swarm.txt");
+  EXPECT_EQ(file_name("swarm.txt"), "swarm.txt");
+  EXPECT_EQ(file_name("demo"), "demo");
+}
+
 TEST(Headline, LettersAndIntervals) {
   const Comparison c = in_groups({1, 2, 0});
   EXPECT_EQ(group_letter(c.models[0]) + group_letter(c.models[1]) + group_letter(c.models[2]), "ab");
@@ -144,7 +180,7 @@ TEST(Headline, SingleModelHasNothingToRank) {
 TEST(Headline, WithoutGroupsThatIsSaid) {
   const Headline h = headline(in_groups({0, 0, 0}));
   EXPECT_EQ(h.verdict, Verdict::open);
-  EXPECT_THAT(h.detail, HasSubstr("it cannot be told how sure that is"));
+  EXPECT_THAT(h.detail, HasSubstr("certainty not known"));
 }
 
 TEST(Headline, ModelsWithoutScoreDoNotCount) {

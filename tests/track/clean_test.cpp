@@ -119,7 +119,7 @@ TEST(Clean, OnlySomeIndividuals) {
   EXPECT_THAT(refusal([&] { only(tracks, {"d"}); }), HasSubstr("is called 'd'; expected some of a, b, c"));
   EXPECT_THAT(longer_than(tracks, 1).names(), ElementsAre("a", "c"));
   EXPECT_EQ(last_note(longer_than(tracks, 1)), "1 individual was left out: seen in 1 frames or fewer");
-  EXPECT_THAT(refusal([&] { longer_than(tracks, 3); }), HasSubstr("nobody in f.csv is seen in more than 3 frames; expected fewer"));
+  EXPECT_THAT(refusal([&] { longer_than(tracks, 3); }), HasSubstr("no individual in f.csv is seen in more than 3 frames; expected fewer"));
 }
 
 TEST(Clean, NothingAskedNothingDone) {

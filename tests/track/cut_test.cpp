@@ -72,7 +72,7 @@ TEST(OfKind, GoesByNameOrNumber) {
     kind_named(all, "wolf");
     FAIL() << "no error";
   } catch (const InputError& e) {
-    EXPECT_STREQ(e.what(), "`kind` wolf: nobody in f.csv is of that kind; expected one of sheep (0), dog (1), 2");
+    EXPECT_STREQ(e.what(), "`kind` wolf: no individual in f.csv is of that kind; expected one of sheep (0), dog (1), 2");
   }
 }
 

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Recording and models as curves: over delay, over distance, over time.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "reports/comparison/figure_parts.h"
+#include "reports/write/number.h"
+
+namespace swarmfit::parts {
+namespace {
+
+constexpr std::size_t kMost = 8;  // models that can be told apart in one panel
+constexpr double kWidest = 2;     // standard deviations of the band
+using Values = std::vector<double> Pictures::*;
+
+// One panel: what is drawn against what.
+struct Wanted {
+  Values member;
+  std::vector<double> x;
+  std::string x_title, y_title;
+  bool logarithmic = false;  // both axes; what is not positive is left out
+  std::string level{};
+};
+
+plot::Curve curve_of(const Wanted& w, const std::vector<double>& y) {
+  plot::Curve out;
+  for (std::size_t k = 0; k < std::min(w.x.size(), y.size()); ++k)
+    if (!w.logarithmic || (w.x[k] > 0 && y[k] > 0)) out.push_back({w.x[k], y[k]});
+  return out;
+}
+
+std::vector<double> shifted(const Pictures& mean, const Pictures& sd, Values member, double by) {
+  std::vector<double> out = mean.*member;
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] += by * (k < (sd.*member).size() ? (sd.*member)[k] : NAN);
+  return out;
+}
+
+// A band needs edges over the same places.
+std::pair<plot::Curve, plot::Curve> band_of(const Wanted& w, const PictureSpread& s) {
+  const auto low = shifted(s.mean, s.sd, w.member, -kWidest), high = shifted(s.mean, s.sd, w.member, kWidest);
+  std::pair<plot::Curve, plot::Curve> out;
+  for (std::size_t k = 0; k < std::min({w.x.size(), low.size(), high.size()}); ++k) {
+    if (!std::isfinite(low[k] + high[k]) || (w.logarithmic && !(w.x[k] > 0 && high[k] > 0))) continue;
+    out.first.push_back({w.x[k], w.logarithmic ? std::max(low[k], 0.05 * high[k]) : low[k]});
+    out.second.push_back({w.x[k], high[k]});
+  }
+  return out;
+}
+
+void draw(svg::Sheet& sheet, const svg::Box& box, const Comparison& c, const Wanted& w) {
+  std::vector<plot::Curve> curves{curve_of(w, c.recording.pictures.recording.*w.member)};
+  for (std::size_t k = 0; k < std::min(kMost, c.models.size()); ++k)
+    curves.push_back(curve_of(w, c.models[k].likeness.pictures.mean.*w.member));
+  plot::Range across, up;
+  for (const plot::Curve& curve : curves)
+    for (const svg::Point& p : curve)
+      if (std::isfinite(p.y)) across.include(p.x), up.include(p.y);
+  if (up.empty()) return;
+  const auto [low, high] = c.models.empty() ? std::pair<plot::Curve, plot::Curve>() : band_of(w, c.models.front().likeness.pictures);
+  for (const plot::Curve* edge : {&low, &high})
+    for (const svg::Point& p : *edge) up.include(p.y);
+  const double room = 0.05 * (up.upper - up.lower);
+  const plot::Axis x =
+      w.logarithmic ? plot::logarithmic(across.lower, across.upper) : plot::linear(across.lower, across.upper, {5, box.width, false});
+  const plot::Axis y = w.logarithmic ? plot::logarithmic(up.lower, up.upper) : plot::linear(up.lower - room, up.upper + room, {4, 0, true});
+  plot::Panel panel(sheet, box, x, y);
+  panel.band(low, high, 0);
+  for (std::size_t k = curves.size(); k-- > 1;) panel.curve(curves[k], k - 1, k == 1 ? 1.2 : 0.9);
+  panel.curve(curves.front(), {svg::kInk, 1.4, ""});
+  panel.x_axis(svg::plain(w.x_title));
+  panel.y_axis({});
+  sheet.text({box.left - 22, box.top - 5}, svg::plain(w.y_title) + plot::in_units(y, ""));
+}
+
+// Two panels in a row. The height of the sheet.
+double draw_all(svg::Sheet& sheet, const Comparison& c, const std::vector<Wanted>& all, std::size_t across, double plot_height) {
+  std::vector<plot::Entry> legend = model_entries(c, plot::Sample::line);
+  legend.resize(std::min(kMost, legend.size()));
+  const double line = 9;
+  sheet.line({4, line - 2.5}, {18, line - 2.5}, {svg::kInk, 1.4, ""});
+  sheet.text({21, line}, svg::plain("recording"));
+  const double top = plot::legend_rows(sheet, 66, sheet.width(), line, legend) + 12, width = sheet.width() / static_cast<double>(across);
+  double bottom = top;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const svg::Box box{static_cast<double>(k % across) * width + 28, top + static_cast<double>(k / across) * (plot_height + 44), width - 38,
+                       plot_height};
+    draw(sheet, box, c, all[k]);
+    bottom = std::max(bottom, box.bottom() + 26);
+  }
+  return bottom;
+}
+
+std::string about_band(const Comparison& c) {
+  if (c.models.empty()) return {};
+  return fmt::format(" Lines: mean of the final replicates of each model. Shaded: {}, mean ± 2 standard deviations of single simulations.",
+                     c.models.front().model);
+}
+
+}  // namespace
+
+Figure curves(const Comparison& c) {
+  const PictureGrid& g = c.recording.pictures.grid;
+  if (c.recording.pictures.recording.vacf.empty()) return {"curves", "", ""};
+  std::vector<double> delays, lags, distances;
+  for (const Index lag : g.plan.vacf_lags) delays.push_back(static_cast<double>(lag) * g.dt);
+  for (const Index lag : g.plan.msd_lags) lags.push_back(static_cast<double>(lag) * g.dt);
+  for (std::size_t k = 0; k < c.recording.pictures.recording.pairs.size(); ++k)
+    distances.push_back((static_cast<double>(k) + 0.5) * g.width);
+  const std::string unit = c.recording.data.unit;
+  svg::Sheet sheet(svg::kTwoColumns);
+  const double height = draw_all(sheet, c,
+                                 {{&Pictures::vacf, delays, "delay [s]", "velocity autocorrelation"},
+                                  {&Pictures::msd, lags, "delay [s]", fmt::format("mean squared displacement [{}²]", unit), true},
+                                  {&Pictures::pairs, distances, fmt::format("distance [{}]", unit), "pair distribution g(r)"},
+                                  {&Pictures::headings, distances, fmt::format("distance [{}]", unit), "correlation of headings"}},
+                                 2, 92);
+  const std::string caption =
+      "Velocity autocorrelation and mean squared displacement relative to the group, pair distribution (1 = evenly spread over the "
+      "recording's ellipsoid), and mean cosine between headings of pairs at a distance." +
+      about_band(c);
+  return {"curves", caption, sheet.document(height, "Curves over delay and distance", caption)};
+}
+
+Figure order(const Comparison& c) {
+  const PictureGrid& g = c.recording.pictures.grid;
+  const Pictures& p = c.recording.pictures.recording;
+  if (p.polarisation.empty()) return {"order", "", ""};
+  std::vector<double> times;
+  for (std::size_t k = 0; k < p.polarisation.size(); ++k)
+    times.push_back((static_cast<double>(k) + 0.5) * static_cast<double>(g.stride) * g.dt);
+  svg::Sheet sheet(svg::kTwoColumns);
+  const double height =
+      draw_all(sheet, c,
+               {{&Pictures::polarisation, times, "time from the first frame [s]", "polarisation"},
+                {&Pictures::milling, times, "time from the first frame [s]", "milling"},
+                {&Pictures::spread, times, "time from the first frame [s]", fmt::format("rms radius [{}]", c.recording.data.unit)}},
+               3, 70);
+  const std::string caption = "Polarisation, milling and spread of the group over time." + about_band(c);
+  return {"order", caption, sheet.document(height, "Order of the group over time", caption)};
+}
+
+Figure data_quality(const Comparison& c) {
+  const Timeline& t = c.recording.pictures.timeline;
+  if (t.seen.empty()) return {"data_quality", "", ""};
+  const auto curve = [&](const std::vector<double>& y) {
+    plot::Curve out;
+    for (std::size_t k = 0; k < y.size(); ++k)
+      out.push_back({(static_cast<double>(k) + 0.5) * static_cast<double>(t.stride) * c.recording.data.dt, y[k]});
+    return out;
+  };
+  svg::Sheet sheet(svg::kTwoColumns);
+  double top = 14;
+  const std::vector<std::pair<std::string, const std::vector<double>*>> rows{{"individuals seen per frame", &t.seen},
+                                                                             {"individuals lost for a while, per frame", &t.missing},
+                                                                             {"steps longer than 20 median steps", &t.jumps}};
+  const double end = static_cast<double>(t.seen.size()) * static_cast<double>(t.stride) * c.recording.data.dt;
+  for (const auto& [title, values] : rows) {
+    const svg::Box box{30, top, sheet.width() - 40, 34};
+    const double most = *std::max_element(values->begin(), values->end());
+    plot::Panel panel(sheet, box, plot::linear(0, end, {6, box.width, false}), plot::linear(0, most > 0 ? 1.08 * most : 1, {2, 0, false}));
+    panel.area(curve(*values));
+    panel.curve(curve(*values), {svg::kInk, 0.8, ""});
+    panel.x_axis(svg::plain(&title == &rows.back().first ? "time from the first frame [s]" : ""));
+    panel.y_axis({});
+    sheet.text({4, top - 5}, svg::plain(title));
+    top += 34 + (&title == &rows.back().first ? 26 : 30);
+  }
+  const std::string caption =
+      "Quality of the tracks over time: individuals seen, individuals that are seen before and after but not now, and steps too long to be "
+      "true.";
+  return {"data_quality", caption, sheet.document(top, "Quality of the tracks over time", caption)};
+}
+
+}  // namespace swarmfit::parts

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "reports/draw/paths.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "reports/draw/heat_map.h"
+
+namespace swarmfit::plot {
+namespace {
+
+constexpr std::size_t kSlices = 12;  // of time, each with its colour
+constexpr Index kMostPoints = 5000;  // of all paths
+constexpr double kBrightest = 0.92;  // of the colours: the last yellow is lost on white
+
+}  // namespace
+
+Window window_of(const std::vector<const Tracks*>& all) {
+  Eigen::Array2d low(INFINITY, INFINITY), high(-INFINITY, -INFINITY);
+  for (const Tracks* t : all) {
+    if (t->rows() == 0) continue;
+    low = low.min(t->pos().leftCols(2).colwise().minCoeff().transpose());
+    high = high.max(t->pos().leftCols(2).colwise().maxCoeff().transpose());
+  }
+  Window out;
+  if (!std::isfinite(low.sum() + high.sum())) return out;
+  out.x = 0.5 * (low[0] + high[0]), out.y = 0.5 * (low[1] + high[1]);
+  const double half = 0.5 * (high - low).maxCoeff();
+  out.half = half > 0 ? 1.02 * half : 1;
+  return out;
+}
+
+void draw_paths(svg::Sheet& sheet, const svg::Box& box, const Tracks& tracks, const Window& window) {
+  if (tracks.frames().empty()) return;
+  const std::int64_t first = tracks.frames().front().number, frames = tracks.frames().back().number - first + 1;
+  const auto every = static_cast<std::size_t>(std::max<Index>(1, (tracks.rows() + kMostPoints - 1) / kMostPoints));
+  const double scale = 0.5 * std::min(box.width, box.height) / window.half;
+  std::array<std::string, kSlices> paths;
+  for_each_segment(tracks, 2, [&](std::span<const Index> rows) {
+    svg::Point before{};
+    std::size_t slice_before = kSlices;
+    for (std::size_t k = 0; k < rows.size(); k += every) {
+      const Index row = rows[k];
+      const svg::Point at{box.left + box.width / 2 + scale * (tracks.pos()(row, 0) - window.x),
+                          box.top + box.height / 2 - scale * (tracks.pos()(row, 1) - window.y)};
+      const std::int64_t passed = tracks.frame()[static_cast<std::size_t>(row)] - first;
+      const auto slice = std::min(kSlices - 1, static_cast<std::size_t>(passed * static_cast<std::int64_t>(kSlices) / frames));
+      if (k > 0) {
+        if (slice != slice_before) paths[slice] += fmt::format("M{:.1f} {:.1f}", before.x, before.y);
+        paths[slice] += fmt::format("L{:.1f} {:.1f}", at.x, at.y);
+        slice_before = slice;
+      }
+      before = at;
+    }
+  });
+  const int clip = sheet.clip(box);
+  for (std::size_t k = 0; k < kSlices; ++k) {
+    const std::string colour = heat_colour(kBrightest * static_cast<double>(k) / (kSlices - 1));
+    sheet.path(paths[k], {colour, 0.5, ""}, "none", clip);
+  }
+  sheet.rectangle(box, "none", {svg::kFaint, 0.5, ""});
+}
+
+}  // namespace swarmfit::plot
