@@ -15,6 +15,7 @@
 #include "fit/compare/skill_warnings.h"
 #include "fit/compare/without_one.h"
 #include "fit/experiment/film.h"
+#include "fit/experiment/scenery.h"
 #include "fit/model_fit/calibration.h"
 #include "fit/model_fit/model_fit_of.h"
 #include "libtrack/cut.h"
@@ -196,6 +197,8 @@ Comparison compare(const Tracks& recording, const CompareOptions& options, const
   const ObservationFacts& observation = result.recording.observation;
   const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);
   result.film = cut(conditions.recording, span.first, span.last);
+  if (const auto* walls = conditions.world.part<Walls>(); walls || conditions.world.bounds.kind != Bounds::Kind::open)
+    result.around = scenery_of(conditions.world.bounds, walls ? walls->obstacles() : std::vector<Obstacle>{}, result.film);
 
   std::optional<Judge> judge;
   const auto view = [&](const Run& run, std::size_t k) {

@@ -11,7 +11,8 @@ Html badge(const Comparison&);  // "synthetic data"
 Html data_facts(const Comparison&);
 Html warnings(const Comparison&);  // nothing if there are none
 Html ranking(const Comparison&);
-Html motion(const Comparison&);       // films of the recording and every model, a section of its own; nothing without a film
+// Films of the recording and every model in their surroundings, a section of its own; nothing without a film.
+Html motion(const Comparison&);
 Html legend(const Comparison&);       // check boxes of the charts
 Html pdf_figures(const Comparison&);  // an empty canvas per column
 Html pdf_note(const Comparison&);
