@@ -37,6 +37,7 @@ struct SceneArguments {
   std::optional<std::string> unit;
   double noise = 0, dropout = 0;    // of the camera
   std::string curve;                // heart, star or a file; empty: none
+  WorldFile world = {};             // bounds and obstacles instead of the scenario's
   std::optional<std::string> like;  // recording that models learn from that need one
 };
 
@@ -71,6 +72,7 @@ struct Arguments {
   std::vector<std::string> formats;  // of report
   bool page = false, flags = false;  // of models: as Markdown; flags of its scene
   double max_time = 0;               // [s]; 0: none
+  bool schema = false;               // of scenarios: for editors
   bool check = false;                // of simulate: what the scenario expects
   bool resume = false;               // take up the checkpoint in `out`
 

@@ -24,6 +24,7 @@ Film along_curve(const SceneArguments& a, Scenario& scene) {
   options.warm_up = scene.warm_up;
   Shape shape = fly_along(scene.reference ? *scene.reference : Tracks(), options);
   scene.parameters = std::move(shape.parameters);
+  scene.bounds = {};  // it flew in the open
   TrackMeta meta = shape.tracks.meta();
   meta.unit = scene.unit;
   meta.from.notes = {fmt::format("mean distance to the curve {:.4g} {}, {:.2f} of the spacing of its key points; coverage {:.3f}",

@@ -8,11 +8,13 @@
 #include "cli/commands.h"
 #include "cli/model_page.h"
 #include "cli/recordings.h"
+#include "cli/scenario_schema.h"
 #include "cli/scenes.h"
 #include "cli/style.h"
 #include "cli/version.h"
 #include "fit/compare/portrait.h"
 #include "fit/experiment/expect.h"
+#include "fit/experiment/scenery.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
 #include "libtrack/kinematics.h"
@@ -29,8 +31,16 @@ namespace {
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
-void write_tracks(const std::string& path, const Tracks& tracks, const std::string& format = "") {
-  const std::string bytes = written_format(format, path).write(tracks);
+void write_tracks(const std::string& path, const Surrounded& all, const std::string& name = "") {
+  const WrittenFormat& format = written_format(name, path);
+  if (!format.write) {
+    format.write_several(all, path, [](const std::string& file, const std::string& bytes) {
+      if (const std::size_t folder = file.rfind('/'); folder != file.npos) make_directory(file.substr(0, folder));
+      write_file_atomically(file, bytes);
+    });
+    return;
+  }
+  const std::string bytes = format.write(all.tracks);
   if (path == "-")
     print(bytes);
   else
@@ -75,7 +85,7 @@ int describe(const Arguments& a) {
 int convert(const Arguments& a) {
   Tracks tracks = load(a, a.recordings.front());
   if (a.smoothing > 0) tracks = smooth(tracks, a.smoothing);
-  write_tracks(a.out, tracks, a.write_as);
+  write_tracks(a.out, {tracks}, a.write_as);
   return 0;
 }
 
@@ -88,12 +98,16 @@ int simulate(const Arguments& a) {
     throw InputError(fmt::format("--check: {} expects nothing; expected a scenario with [expect.NAME]", scene.name));
   const Film made = a.scene.curve.empty() ? film(scene, {.sigma = a.scene.noise, .dropout = a.scene.dropout}) : along_curve(a.scene, scene);
   const Tracks& tracks = made.tracks;
+  const Scenery around = scenery_of(scene, made);
   if (!a.common.quiet)
     for (const std::string& note : tracks.meta().from.notes) std::fprintf(stderr, "swarmfit: %s\n", note.c_str());
-  if (!a.out.empty()) write_tracks(a.out, tracks);
-  if (!a.picture.empty()) write_file_atomically(a.picture, picture_svg(tracks, scene.model.name));
-  if (!a.html.empty())
-    write_file_atomically(a.html, tracks_html(portrait(tracks), tracks.meta(), summarise(tracks), {a.line, kVersion, card_of(scene)}));
+  if (!a.out.empty()) write_tracks(a.out, {tracks, bodies_of(around, scene.dims), &made.stimuli});
+  if (!a.picture.empty()) write_file_atomically(a.picture, picture_svg(tracks, scene.model.name, around));
+  if (!a.html.empty()) {
+    Comparison drawn = portrait(tracks);
+    drawn.around = around;
+    write_file_atomically(a.html, tracks_html(drawn, tracks.meta(), summarise(tracks), {a.line, kVersion, card_of(scene)}));
+  }
   return a.check ? check(findings(scene, made), a.common.json) : 0;
 }
 
@@ -117,6 +131,10 @@ int list_models(const Arguments& a) {
 }
 
 int list_scenarios(const Arguments& a) {
+  if (a.schema) {
+    print(scenario_schema());
+    return 0;
+  }
   if (!a.name.empty()) {
     print(std::string(scenario_file(a.name).text));
     return 0;

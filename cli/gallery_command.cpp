@@ -6,7 +6,7 @@
 #include "cli/commands.h"
 #include "cli/scenes.h"
 #include "cli/version.h"
-#include "fit/experiment/plant.h"
+#include "fit/experiment/scenery.h"
 #include "libtrack/file.h"
 #include "reports/recording/gallery_html.h"
 
@@ -18,12 +18,14 @@ constexpr std::int64_t kFrames = 200;
 constexpr std::uint32_t kAgents = 100;
 constexpr int kMostSimulated = 500;
 
+std::int64_t stride_of(const Tracks& tracks) {
+  return std::max<std::int64_t>(1, (static_cast<std::int64_t>(tracks.frames().size()) + kFrames - 1) / kFrames);
+}
+
 // The first agents only, at every n-th frame.
-Tracks thinned(const Tracks& tracks) {
+Tracks thinned(const Tracks& tracks, std::int64_t stride) {
   TrackColumns some;
   const auto& all = tracks.columns();
-  const auto frames = static_cast<std::int64_t>(tracks.frames().size());
-  const std::int64_t stride = std::max<std::int64_t>(1, (frames + kFrames - 1) / kFrames);
   std::vector<Index> rows;
   for (Index row = 0; row < tracks.rows(); ++row) {
     const auto r = static_cast<std::size_t>(row);
@@ -49,7 +51,12 @@ int gallery(const Arguments& a) {
     learn_from(scene, "demo");
     if (a.scene.seed) scene.seed = *a.scene.seed;
     scene.groups.front().agents = std::min(scene.groups.front().agents, kMostSimulated);
-    exhibits.push_back({card_of(scene), fmt::format("swarmfit simulate {0} --html {0}.html", scene.name), thinned(film(scene, {}).tracks)});
+    Film made = film(scene, {});
+    const std::int64_t stride = stride_of(made.tracks);
+    made.tracks = thinned(made.tracks, stride);
+    if (made.stimuli.rows() > 0) made.stimuli = thinned(made.stimuli, stride);
+    exhibits.push_back(
+        {card_of(scene), fmt::format("swarmfit simulate {0} --html {0}.html", scene.name), made.tracks, scenery_of(scene, made)});
   }
   write_file_atomically(a.out, gallery_html(exhibits, kVersion));
   return 0;

@@ -13,6 +13,7 @@
 #include "fit/experiment/plant.h"
 #include "fit/synthesis/extend.h"
 #include "libswarm/centre.h"
+#include "libswarm/scenario/surroundings.h"
 #include "libtrack/error.h"
 #include "libtrack/file.h"
 
@@ -96,6 +97,17 @@ void rebox(Scenario& scene, const SceneArguments& a) {
   }
 }
 
+// Walls from a file instead of the scenario's own.
+void surround(Scenario& scene, const SceneArguments& a) {
+  if (a.world.path.empty()) return;
+  if (!scene.goals.empty())
+    throw InputError(fmt::format("`world`: ways to the goals of {} are found in its own; expected a scenario without goals", scene.name));
+  if (a.box) throw InputError("`world`: is given beside box; expected one of both");
+  Surroundings around = read_surroundings(a.world.path, a.world.text, scene.dims);
+  scene.bounds = around.bounds;
+  scene.obstacles = std::move(around.obstacles);
+}
+
 }  // namespace
 
 const ScenarioFile& scenario_file(std::string_view name) {
@@ -113,6 +125,7 @@ Scenario scenario_of(const SceneArguments& a) {
   if (a.dims && *a.dims != scene.dims)
     throw InputError(fmt::format("--dims: {} is a scene in {} dimensions; expected {}", scene.name, scene.dims, scene.dims));
   if (a.agents) resize(scene, *a.agents);
+  surround(scene, a);
   rebox(scene, a);
   scene.seed = a.seed.value_or(scene.seed);
   scene.frames = a.frames.value_or(scene.frames);

@@ -3,6 +3,7 @@
 #include "cli/parse.h"
 #include "cli/tables.h"
 #include "libeval/lags.h"
+#include "libtrack/file.h"
 
 namespace swarmfit::cli {
 namespace {
@@ -126,6 +127,14 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
        .initial = "open",
        .group = kConditions,
        .use = [](Arguments& a, const Value& v) { a.compare.conditions.arena = v.text(); }},
+      {.name = "world",
+       .in = kFits | kSimulate,
+       .help = "file with [bounds] and [[obstacle]], as in a scenario: walls that nobody passes",
+       .group = kConditions,
+       .use =
+           [](Arguments& a, const Value& v) {
+             a.compare.conditions.world = a.scene.world = {v.text(), read_file(v.text())};
+           }},
       {.name = "population",
        .in = kFits,
        .help = "number of individuals, where only part of the group was tracked: the others are simulated, but not observed",

@@ -19,6 +19,7 @@ struct Witness {
   const Tracks& agents;
   const Tracks* stimuli = nullptr;                                 // where they were, as tracks; none, or null: there are none
   std::function<bool(const Eigen::Array3d&)> forbidden = nullptr;  // is nobody allowed there? null: everywhere is fine
+  double enforced = 0;                                             // share of agents and steps that were pushed apart
 };
 
 // Numbers by name: `from` and `until` in seconds, both included and all of it if not given; what else the measure takes.

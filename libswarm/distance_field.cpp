@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "libswarm/mesh.h"
+
 namespace swarmfit {
 namespace {
 
@@ -60,6 +62,10 @@ Surface surface_of(const Obstacle& obstacle, const Array3d& place, int dims) {
       return of_box(obstacle, place, dims);
     case Obstacle::Shape::cylinder:
       return of_cylinder(obstacle, place);
+    case Obstacle::Shape::mesh: {
+      const Mesh::Near near = obstacle.mesh->nearest(place);
+      return {near.distance, near.outward};
+    }
     case Obstacle::Shape::plane:
       break;
   }

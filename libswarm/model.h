@@ -35,6 +35,7 @@ struct Counters {
   std::uint64_t agent_steps = 0;
   std::uint64_t infeasible_avoidance = 0;  // agents and steps without any collision-free velocity
   std::uint64_t halved_steps = 0;
+  std::uint64_t enforced = 0;  // agents and steps that minimum-distance enforcement moved
 };
 
 struct StepContext {

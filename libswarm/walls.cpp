@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "libswarm/distance_field.h"
+#include "libswarm/mesh.h"
 
 namespace swarmfit {
 namespace {
@@ -31,6 +32,7 @@ Array3d from_centre(const Obstacle& o, const Array3d& p, int dims) {
 }
 
 bool inside(const Obstacle& o, const Array3d& p, int dims) {
+  if (o.shape == Obstacle::Shape::mesh) return o.mesh->inside(p);
   if (o.shape == Obstacle::Shape::sphere) {
     const Array3d r = from_centre(o, p, dims);
     const double radius = o.radius * (1 - kSkin);
@@ -55,6 +57,10 @@ Array3d put_out(const Obstacle& o, const Array3d& p, int dims) {
     const Array3d direction = distance > 0 ? Array3d(r / distance) : Array3d(1, 0, 0);
     for (Index axis = 0; axis < dims; ++axis) out[axis] = o.centre[axis] + o.radius * direction[axis];
     return out;
+  }
+  if (o.shape == Obstacle::Shape::mesh) {
+    const Mesh::Near near = o.mesh->nearest(p);
+    return near.place + o.mesh->skin() * near.outward;
   }
   if (o.shape != Obstacle::Shape::box) {
     const Surface s = surface_of(o, p, dims);
@@ -151,6 +157,11 @@ Hit meet_cylinder(const Obstacle& o, const Array3d& start, const Array3d& way) {
   return side.share < end.share ? side : end;
 }
 
+Hit meet_mesh(const Obstacle& o, const Array3d& start, const Array3d& way) {
+  const auto met = o.mesh->first_hit(start, way);
+  return met ? Hit{met->share, met->place, met->outward} : Hit{};
+}
+
 Hit meet(const Obstacle& o, const Array3d& start, const Array3d& way, int dims) {
   switch (o.shape) {
     case Obstacle::Shape::sphere:
@@ -159,6 +170,8 @@ Hit meet(const Obstacle& o, const Array3d& start, const Array3d& way, int dims) 
       return meet_box(o, start, way, dims);
     case Obstacle::Shape::cylinder:
       return meet_cylinder(o, start, way);
+    case Obstacle::Shape::mesh:
+      return meet_mesh(o, start, way);
     case Obstacle::Shape::plane:
       break;
   }

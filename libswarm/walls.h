@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "libswarm/world.h"
 
 namespace swarmfit {
 
-// A solid body that nobody passes through. In two dimensions a sphere is a disc, a box a rectangle, a plane a line; there is no cylinder.
+class Mesh;
+
+// A solid body that nobody passes through. In two dimensions a sphere is a disc, a box a rectangle, a plane a line; there are neither
+// cylinders nor meshes.
 struct Obstacle {
-  enum class Shape { box, sphere, cylinder, plane };
+  enum class Shape { box, sphere, cylinder, plane, mesh };
   Shape shape = Shape::sphere;
   Eigen::Array3d lower = Eigen::Array3d::Zero(), upper = Eigen::Array3d::Zero();  // box; cylinder: the centres of its ends
   Eigen::Array3d centre = Eigen::Array3d::Zero();                                 // sphere; plane: a point of it
   double radius = 0;                                                              // sphere, cylinder, > 0 [unit]
   Bounds::Wall wall = Bounds::Wall::reflect;
-  Eigen::Array3d normal = {1, 0, 0};  // plane: unit vector to the side where agents are; the other side is solid
+  Eigen::Array3d normal = {1, 0, 0};      // plane: unit vector to the side where agents are; the other side is solid
+  std::shared_ptr<const Mesh> mesh = {};  // mesh: its surface, shared by all copies
 };
 
 // Of a cylinder.

@@ -17,6 +17,7 @@
 #include "fit/compare/skill_warnings.h"
 #include "fit/compare/without_one.h"
 #include "fit/experiment/film.h"
+#include "fit/experiment/scenery.h"
 #include "fit/model_fit/model_fit_of.h"
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
@@ -160,6 +161,8 @@ Comparison compare(const Tracks& recording, const CompareOptions& wanted, const 
   const ObservationFacts& observation = result.recording.observation;
   const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);
   result.film = cut(conditions.recording, span.first, span.last);
+  if (const auto* walls = conditions.world.part<Walls>(); walls || conditions.world.bounds.kind != Bounds::Kind::open)
+    result.around = scenery_of(conditions.world.bounds, walls ? walls->obstacles() : std::vector<Obstacle>{}, result.film);
 
   const PictureGrid grid = picture_grid(conditions.recording);
   result.recording.pictures = {grid, pictures(conditions.recording, grid), timeline(conditions.recording)};

@@ -148,7 +148,7 @@ PerColumn<double> resolution(const Conditions& c, const Target& target, const Co
 ObservationFacts observation_facts(const Conditions& c, const Target& target, const CompareOptions& options) {
   ObservationFacts facts;
   facts.presence = c.options.presence == ConditionOptions::Presence::recorded ? "recorded" : "constant";
-  facts.arena = c.options.arena;
+  facts.arena = c.options.world.path.empty() ? c.options.arena : "as " + c.options.world.path + " says";
   facts.unseen = c.unseen;
   facts.error_source = name_of(c.options.error);
   facts.sigma = c.sigma;

@@ -10,6 +10,7 @@
 #include "fit/experiment/entry.h"
 #include "libeval/energy.h"
 #include "libeval/order.h"
+#include "libswarm/scenario/surroundings.h"
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
 #include "libtrack/kinematics.h"
@@ -101,6 +102,29 @@ void require_inside(const Bounds& bounds, const Tracks& recording, const std::st
   }
 }
 
+// Arena and obstacles of the file.
+void surround(Conditions& c, const WorldFile& file, const std::string& arena) {
+  constexpr double kStrays = 0.01;  // localisation errors put some positions into walls
+  const Surroundings around = read_surroundings(file.path, file.text, c.recording.dims());
+  if (around.bounds.kind == Bounds::Kind::periodic)
+    throw InputError(file.path + ": [bounds] shape = 'periodic', where nothing is recorded; expected open, box or sphere");
+  if (around.bounds.kind != Bounds::Kind::open) {
+    if (arena != "open")
+      throw InputError(fmt::format("`arena` {}: is given beside the bounds of {}; expected one of both", arena, file.path));
+    if (around.bounds.kind == Bounds::Kind::box) require_inside(around.bounds, c.recording, file.path);
+    c.world.bounds = around.bounds;
+  }
+  if (around.obstacles.empty()) return;
+  auto walls = std::make_unique<Walls>(around.obstacles);
+  Index inside = 0;
+  for (Index row = 0; row < c.recording.rows(); ++row)
+    inside += walls->hold(c.recording.pos().row(row).transpose(), c.recording.dims()) ? 1 : 0;
+  if (static_cast<double>(inside) > kStrays * static_cast<double>(c.recording.rows()))
+    throw InputError(fmt::format("{}: {} of {} recorded positions are inside an obstacle; expected obstacles that nobody was in", file.path,
+                                 inside, c.recording.rows()));
+  c.world.add(std::move(walls));
+}
+
 }  // namespace
 
 Eigen::Array3d measurement_error(const Conditions& c) { return (c.sigma.square() + c.grid.step.square() / 12).sqrt(); }
@@ -175,6 +199,7 @@ Conditions make_conditions(const Tracks& recording, const ConditionOptions& opti
   const auto unseen = unseen_visits(recording, recorded, c.unseen);
   visits.insert(visits.end(), unseen.begin(), unseen.end());
   c.world.add(std::make_unique<Presence>(std::move(visits)));
+  if (!options.world.path.empty()) surround(c, options.world, options.arena);
   // Neighbours of the whole group are nearer than those among the tracked.
   if (options.population > 0) c.scales.spacing *= std::pow(individuals_per_frame(recording) / options.population, 1.0 / recording.dims());
   c.first_frame = recording.frames().front().number;

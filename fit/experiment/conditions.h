@@ -13,6 +13,11 @@
 
 namespace swarmfit {
 
+// A file with [bounds] and [[obstacle]], as libswarm/scenario/surroundings.h reads them; without a path: none.
+struct WorldFile {
+  std::string path, text;
+};
+
 struct ConditionOptions {
   enum class Presence { recorded, constant };
   // estimate: none where the estimate is not white, since it then measures something else, or too small to show in any metric
@@ -20,6 +25,7 @@ struct ConditionOptions {
 
   Presence presence = Presence::recorded;
   std::string arena = "open";  // open | box | sphere | x0:x1,y0:y1[,z0:z1]
+  WorldFile world = {};        // walls where the recording was made; with bounds of its own the arena stays open
   Error error = Error::estimate;
   double sigma = 0;      // localisation error of every axis, for Error::given [unit]
   int population = 0;    // how many there really were, where only part of the group was tracked; 0: as recorded
@@ -38,7 +44,7 @@ struct Conditions {
   ConditionOptions options;
   Tracks recording;                               // as compared: smoothed if asked for, without the warm-up
   Scales scales;                                  // L, NND, V of the recording
-  World world;                                    // arena and presence
+  World world;                                    // arena, presence and obstacles
   Localisation localisation;                      // as estimated, whatever is used
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error put on simulated positions, per axis [unit]
   Grid grid;                                      // to which simulated positions are rounded
@@ -50,7 +56,8 @@ struct Conditions {
 };
 
 // The first `warm_up` frames are simulated, but not compared: in them a run forgets where it started.
-// Throws InputError where the recording cannot carry a fit: no motion, one individual only, an arena that excludes recorded positions.
+// Throws InputError where the recording cannot carry a fit: no motion, one individual only, an arena that excludes recorded positions, or
+// obstacles with more than one in a hundred of them inside.
 Conditions make_conditions(const Tracks& recording, const ConditionOptions& options, std::int64_t warm_up = 0);
 
 // Those of a part that was not fitted. Who is there, and where and how fast they enter, is its own; scales, localisation error, lags and

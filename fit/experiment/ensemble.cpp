@@ -6,6 +6,8 @@
 
 #include "fit/experiment/kept_work.h"
 #include "fit/experiment/observe.h"
+#include "libswarm/mesh.h"
+#include "libswarm/walls.h"
 #include "libtrack/cut.h"
 #include "libtrack/file.h"
 #include "libtrack/kinematics.h"
@@ -30,6 +32,19 @@ void put_places(std::string& bytes, const Tracks& tracks) {
   put(bytes, std::vector<double>(columns.pos.data(), columns.pos.data() + columns.pos.size()));
 }
 
+// Nothing where the recording brings no world. Of meshes what was read, since their files may change while the world's does not.
+void put_world(std::string& bytes, const Conditions& c) {
+  if (c.options.world.path.empty()) return;
+  put(bytes, c.options.world.text);
+  const auto* walls = c.world.part<Walls>();
+  for (const Obstacle& o : walls ? walls->obstacles() : std::vector<Obstacle>{}) {
+    if (!o.mesh) continue;
+    for (const auto& corner : o.mesh->corners())
+      for (Index axis = 0; axis < 3; ++axis) put(bytes, corner[axis]);
+    for (const Triangle& t : o.mesh->triangles()) put(bytes, std::vector<std::uint32_t>(t.begin(), t.end()));
+  }
+}
+
 }  // namespace
 
 std::string fingerprint(const Conditions& c) {
@@ -40,6 +55,7 @@ std::string fingerprint(const Conditions& c) {
   put(bytes, c.metrics.lags);
   put(bytes, c.first_frame);
   if (c.reference) put_places(bytes, *c.reference);
+  put_world(bytes, c);
   return sha256_hex(bytes);
 }
 

@@ -35,9 +35,12 @@ void check_expectations(const Scenario& scene) {
 std::vector<Finding> findings(const Scenario& scene, const Film& made) {
   check_expectations(scene);
   const Walls walls(scene.obstacles);
-  const Witness seen{.agents = made.tracks, .stimuli = &made.stimuli, .forbidden = [&](const Eigen::Array3d& p) {
-                       return walls.hold(p, scene.dims) || beyond(scene.bounds, p, scene.dims);
-                     }};
+  const auto steps = static_cast<double>(std::max<std::uint64_t>(1, made.count.agent_steps)),
+             enforced = static_cast<double>(made.count.enforced);
+  const Witness seen{.agents = made.tracks,
+                     .stimuli = &made.stimuli,
+                     .forbidden = [&](const Eigen::Array3d& p) { return walls.hold(p, scene.dims) || beyond(scene.bounds, p, scene.dims); },
+                     .enforced = enforced / steps};
   std::vector<Finding> all;
   for (const Expectation& e : scene.expectations)
     all.push_back({e.name, e.measure, observed(e.measure, seen, questions_of(e)), e.above, e.below, e.published});

@@ -16,6 +16,7 @@ constexpr double kGuide = 0.02;
 void add(Counters& sum, const Counters& part) {
   sum.agent_steps += part.agent_steps;
   sum.infeasible_avoidance += part.infeasible_avoidance;
+  sum.enforced += part.enforced;
   sum.halved_steps += part.halved_steps;
 }
 

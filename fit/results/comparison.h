@@ -6,6 +6,7 @@
 #include "fit/results/ranking.h"
 #include "fit/results/recording_facts.h"
 #include "fit/results/run_record.h"
+#include "fit/results/scenery.h"
 #include "fit/results/warning.h"
 
 namespace swarmfit {
@@ -16,6 +17,7 @@ struct Comparison {
   Ranking ranking;
   std::vector<ModelFit> models;   // by rank
   Tracks film;                    // the first frames of the recording, as compared (fit/experiment/film.h)
+  Scenery around = {};            // what surrounds everybody in the films
   std::vector<Warning> warnings;  // gravest first
 };
 

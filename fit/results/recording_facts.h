@@ -31,7 +31,7 @@ struct DataFacts {
 // How simulations were made comparable with the recording.
 struct ObservationFacts {
   std::string presence;                              // "recorded" or "constant"
-  std::string arena;                                 // as --arena takes it
+  std::string arena;                                 // as --arena takes it, or which file tells
   int unseen = 0;                                    // individuals simulated beside the tracked ones (--population)
   std::string error_source;                          // "estimate", "given", "none"
   Eigen::Array3d sigma = Eigen::Array3d::Zero();     // localisation error per axis [unit]

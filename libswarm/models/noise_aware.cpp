@@ -33,6 +33,10 @@
 //           white   V uniform on a cube, drawn anew for each agent every `hold` seconds
 //           perlin and white have the root-mean-square speed of curl noise; near the cage the part of V that points outwards is
 //           multiplied by alpha
+//   mde     none         agents do not see each other
+//           same_cell    those in one cell nearer than d_min are pushed apart after every step (minimum_distance.h), as in the paper; cells
+//                        are those of the ways to goals, or without goals ten d_min wide
+//           neighbours   the same for all pairs
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -40,6 +44,7 @@
 #include "libswarm/centre.h"
 #include "libswarm/decision_clock.h"
 #include "libswarm/distance_field.h"
+#include "libswarm/minimum_distance.h"
 #include "libswarm/noise.h"
 #include "libswarm/parallel.h"
 #include "libswarm/paths.h"
@@ -50,7 +55,7 @@ namespace {
 using Eigen::Array3d;
 
 // Rows of the parameter table, in its order.
-enum Row : std::size_t { kScale, kGain, kCage, kHold, kSpeed };
+enum Row : std::size_t { kScale, kGain, kCage, kHold, kSpeed, kApart };
 
 enum class Noise { curl, perlin, white };
 
@@ -213,7 +218,8 @@ class Flow {
 
 class NoiseAware : public Model {
  public:
-  explicit NoiseAware(const Setup& setup) : dims_(setup.dims), noise_(parse_noise(setup.options.at("noise"))), centre_(setup) {
+  explicit NoiseAware(const Setup& setup)
+      : dims_(setup.dims), noise_(parse_noise(setup.options.at("noise"))), mde_(setup.options.at("mde")), centre_(setup) {
     if (!setup.reference) return;
     const auto& pos = setup.reference->pos();
     const Array3d centre = centre_.in({});
@@ -230,12 +236,19 @@ class NoiseAware : public Model {
       next.pos.row(i) = x.transpose();
       next.vel.row(i) = flow(x, id).transpose();
     });
+    if (mde_ != "none" && c.p[kApart] > 0) c.count.enforced += enforce({c.p[kApart], cell(world, c)}, next, world, c);
     return Step::done;
   }
 
  private:
   static Noise parse_noise(const std::string& name) {
     return name == "perlin" ? Noise::perlin : name == "white" ? Noise::white : Noise::curl;
+  }
+
+  double cell(const World& world, const StepContext& c) const {
+    if (mde_ == "neighbours") return 0;
+    const auto* paths = world.part<Paths>();
+    return paths ? paths->cell() : 10 * c.p[kApart];
   }
 
   Sphere cage(const Bounds& bounds, const StepContext& c) const {
@@ -247,6 +260,7 @@ class NoiseAware : public Model {
 
   int dims_;
   Noise noise_;
+  std::string mde_;
   SwarmCentre centre_;
   double reach_ = 0;  // of the recorded positions from their centre; 0 without a recording
 };
@@ -268,6 +282,9 @@ const std::vector<Parameter>& parameter_table() {
        .when = "noise=white", .meaning = "how long a white velocity lasts", .source = "our choice: the paper's frame"},
       {.row = kSpeed, .name = "speed", .symbol = "s0", .unit = {1, -1}, .scene = {0, 0, 100}, .fit = {0, 0, 10}, .needs = "goals",
        .meaning = "speed towards a goal", .source = "Eq 8; Table 1"},
+      {.row = kApart, .name = "d_min", .symbol = "d_min", .unit = {1, 0}, .scene = {0.01, 0, 10}, .fit = {0.01, 0, 1},
+       .when = "mde=same_cell|neighbours", .meaning = "distance below which agents are pushed apart",
+       .source = "our choice: a tenth of a cell of 0.1; the paper does not give it"},
   };
   // clang-format on
   return table;
@@ -283,7 +300,8 @@ ModelSpec noise_aware_spec() {
           .native_dt = 1.0 / 60,
           .largest_dt = 1.0 / 40,  // a midpoint step of L / 40 at the recorded speed, a sixth of the smallest scale
           .quiet = "gain=0",
-          .options = {{"noise", {"curl", "perlin", "white"}, "the velocity field"}},
+          .options = {{"noise", {"curl", "perlin", "white"}, "the velocity field"},
+                      {"mde", {"none", "same_cell", "neighbours"}, "minimum-distance enforcement"}},
           .columns = {},
           .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<NoiseAware>(setup); }};

@@ -10,7 +10,9 @@
 #include <numbers>
 
 #include "libswarm/centre.h"
+#include "libswarm/scenario/surroundings.h"
 #include "libswarm/scenario/table.h"
+#include "libswarm/temperature.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -22,7 +24,6 @@ using Words = std::vector<std::string_view>;
 constexpr std::int64_t kMost = 10'000'000;  // agents, frames
 constexpr double kMostCells = 1e8;          // of the grid in which ways are looked for
 constexpr double kForever = std::numeric_limits<double>::infinity();
-constexpr std::string_view kRest[] = {"reflect", "slip"};
 
 // Puts the place in front of what a room lower down refuses.
 template <class Do>
@@ -34,17 +35,6 @@ void placed(const std::string& place, Do&& what) {
   }
 }
 
-// Corners of a box, the upper above the lower.
-void corners(Table& table, int dims, Array3d& lower, Array3d& upper) {
-  lower = table.place("lower", std::nullopt, dims);
-  upper = table.place("upper", std::nullopt, dims);
-  for (Index axis = 0; axis < dims; ++axis)
-    if (!(lower[axis] < upper[axis]))
-      table.refuse("upper", fmt::format("is {:g} on axis {}, where lower is {:g}; expected more", upper[axis], "xyz"[axis], lower[axis]));
-}
-
-Bounds::Wall wall_of(Table& table) { return table.choice("wall", kRest, "reflect") == "slip" ? Bounds::Wall::slip : Bounds::Wall::reflect; }
-
 // Rows of time and place.
 std::vector<Stimulus::Key> keys_of(Table& table, int dims) {
   std::vector<Stimulus::Key> keys;
@@ -53,52 +43,9 @@ std::vector<Stimulus::Key> keys_of(Table& table, int dims) {
   return keys;
 }
 
-Bounds bounds_of(Table table, int dims) {
-  static const Words kShapes{"open", "box", "sphere", "periodic"};
-  Bounds bounds;
-  const auto shape = table.choice("shape", kShapes, std::nullopt);
-  if (shape == "box" || shape == "periodic") {
-    bounds.kind = shape == "box" ? Bounds::Kind::box : Bounds::Kind::periodic;
-    corners(table, dims, bounds.lower, bounds.upper);
-  } else if (shape == "sphere") {
-    bounds.kind = Bounds::Kind::sphere;
-    bounds.centre = table.place("centre", Array3d::Zero(), dims);
-    bounds.radius = table.number("radius", std::nullopt, kPositive);
-  }
-  if (shape == "box" || shape == "sphere") bounds.wall = wall_of(table);
-  table.finish();
-  return bounds;
-}
-
-Obstacle obstacle_of(Table table, int dims) {
-  static const Words kShapes{"sphere", "box", "cylinder", "plane"}, kFlat{"sphere", "box", "plane"};
-  Obstacle o;
-  const auto shape = table.choice("shape", dims == 3 ? kShapes : kFlat, std::nullopt);
-  if (shape == "box") {
-    o.shape = Obstacle::Shape::box;
-    corners(table, dims, o.lower, o.upper);
-  } else if (shape == "cylinder") {
-    o.shape = Obstacle::Shape::cylinder;
-    o.lower = table.place("lower", std::nullopt, dims);
-    o.upper = table.place("upper", std::nullopt, dims);
-    if ((o.lower == o.upper).all()) table.refuse("upper", "is lower; expected the other end of the cylinder's axis");
-  } else if (shape == "plane") {
-    o.shape = Obstacle::Shape::plane;
-    o.normal = table.place("normal", std::nullopt, dims);
-    const double length = std::sqrt(o.normal.square().sum());
-    if (!(length > 0)) table.refuse("normal", "is zero; expected the direction to the side where agents are");
-    o.normal /= length;
-  }
-  if (shape == "sphere" || shape == "plane") o.centre = table.place("centre", std::nullopt, dims);
-  if (shape == "sphere" || shape == "cylinder") o.radius = table.number("radius", std::nullopt, kPositive);
-  o.wall = wall_of(table);
-  table.finish();
-  return o;
-}
-
 Goal goal_of(Table table, int dims) {
   Goal g;
-  g.radius = table.number("radius", std::nullopt, kPositive);
+  g.radius = table.number("radius", std::nullopt);
   if (table.has("path"))
     g.path = keys_of(table, dims);
   else
@@ -129,21 +76,21 @@ void read_paths(Table& root, Scenario& scene) {
     grid.count[axis] = static_cast<Index>(count);
   }
   if (!table) return;
-  scene.paths.length_weight = table->number("length_weight", scene.paths.length_weight, kPositive);
-  scene.paths.repulsion_weight = table->number("repulsion_weight", scene.paths.repulsion_weight, kNotNegative);
-  scene.paths.reach = table->number("reach", 0, kNotNegative);
+  scene.paths.length_weight = table->number("length_weight", scene.paths.length_weight);
+  scene.paths.repulsion_weight = table->number("repulsion_weight", scene.paths.repulsion_weight);
+  scene.paths.reach = table->number("reach", 0);
   table->finish();
 }
 
 BridgeShape bridge_of(Table table) {
   BridgeShape bridge;
-  bridge.length = table.number("length", bridge.length, kPositive);
-  bridge.width = table.number("width", bridge.width, {0, kForever});
-  bridge.mean_interval = table.number("mean_interval", bridge.mean_interval, kPositive);
-  bridge.laden = table.number("laden", bridge.laden, {0, 1});
-  bridge.entry_y = table.number("entry_y", bridge.width / 2, {0, kForever});
-  bridge.entry_y_spread = table.number("entry_y_spread", bridge.entry_y_spread, {0, kForever});
-  bridge.speed = table.number("speed", bridge.speed, kPositive);
+  bridge.length = table.number("length", bridge.length);
+  bridge.width = table.number("width", bridge.width);
+  bridge.mean_interval = table.number("mean_interval", bridge.mean_interval);
+  bridge.laden = table.number("laden", bridge.laden);
+  bridge.entry_y = table.number("entry_y", bridge.width / 2);
+  bridge.entry_y_spread = table.number("entry_y_spread", bridge.entry_y_spread);
+  bridge.speed = table.number("speed", bridge.speed);
   table.finish();
   return bridge;
 }
@@ -160,15 +107,15 @@ void motion_of(Table& table, Stimulus& s, int dims) {
   } else if (auto round = table.table("ring")) {
     s.motion = ring;
     s.start = round->place("centre", Array3d::Zero(), dims);
-    s.radius = round->number("radius", std::nullopt, kPositive);
-    s.ahead = round->number("ahead", std::nullopt, {-180, 180}) * std::numbers::pi / 180;
+    s.radius = round->number("radius", std::nullopt);
+    s.ahead = round->number("ahead", std::nullopt) * std::numbers::pi / 180;
     round->finish();
   } else if (auto way = table.table("wander")) {
     s.motion = wander;
     s.start = way->place("centre", Array3d::Zero(), dims);
-    s.radius = way->number("radius", std::nullopt, kPositive);
-    s.scale = way->number("scale", std::nullopt, kPositive);
-    s.speed = way->number("speed", std::nullopt, kNotNegative);
+    s.radius = way->number("radius", std::nullopt);
+    s.scale = way->number("scale", std::nullopt);
+    s.speed = way->number("speed", std::nullopt);
     way->finish();
   } else if (table.has("at")) {
     s.start = table.place("at", std::nullopt, dims);
@@ -179,23 +126,21 @@ void motion_of(Table& table, Stimulus& s, int dims) {
 }
 
 Stimulus stimulus_of(Table table, int dims) {
-  static const Words kKinds{"attract", "repel"};
   Stimulus s;
-  s.kind = table.choice("kind", kKinds, std::nullopt) == "attract" ? Stimulus::Kind::attract : Stimulus::Kind::repel;
+  s.kind = table.choice("kind", std::nullopt) == "attract" ? Stimulus::Kind::attract : Stimulus::Kind::repel;
   motion_of(table, s, dims);
-  s.from = table.number("from", -kForever, kAnyNumber);
-  s.until = table.number("until", kForever, kAnyNumber);
+  s.from = table.number("from", -kForever);
+  s.until = table.number("until", kForever);
   table.finish();
   return s;
 }
 
 void shape_of(Table& table, Start& start, int dims, const Bounds& bounds) {
-  static const Words kShapes{"ball", "box", "line", "grid", "ring"};
-  const auto shape = table.choice("shape", kShapes, "ball");
+  const auto shape = table.choice("shape", "ball");
   using enum Start::Shape;
   start.shape = shape == "box" ? box : shape == "line" ? line : shape == "grid" ? grid : shape == "ring" ? ring : ball;
   if (start.shape == ball) {
-    start.radius = table.number("radius", 0, kNotNegative);
+    start.radius = table.number("radius", 0);
     start.centre = table.place("centre", middle_of(bounds), dims);
     if (table.has("centre") && start.radius == 0) table.refuse("centre", "is given without a radius; expected both");
   } else if (start.shape == ring) {
@@ -205,14 +150,14 @@ void shape_of(Table& table, Start& start, int dims, const Bounds& bounds) {
     start.lower = table.place("lower", std::nullopt, dims);
     start.upper = table.place("upper", std::nullopt, dims);
   } else {
-    corners(table, dims, start.lower, start.upper);
+    read_corners(table, dims, start.lower, start.upper);
   }
 }
 
 Start start_from(Table table, int dims, const Bounds& bounds) {
   Start start;
   shape_of(table, start, dims, bounds);
-  start.speed = table.number("speed", start.speed, kNotNegative);
+  start.speed = table.number("speed", start.speed);
   start.heading = table.place("heading", Array3d::Zero(), dims);
   table.finish();
   return start;
@@ -229,15 +174,27 @@ std::uint8_t kind_of(Table& table, const ModelSpec& spec) {
 Group group_of(Table table, const Scenario& scene, const Start& otherwise) {
   Group g;
   g.kind = kind_of(table, *scene.model.spec);
-  g.agents = static_cast<int>(table.whole("agents", std::nullopt, 1, kMost));
+  g.agents = static_cast<int>(table.whole("agents", std::nullopt));
   g.start = otherwise;
   if (auto start = table.table("start")) g.start = start_from(*start, scene.dims, scene.bounds);
-  g.arrive = table.number("arrive", g.arrive, kAnyNumber);
-  g.every = table.number("every", 0, kNotNegative);
-  g.leave = table.number("leave", g.leave, kAnyNumber);
+  g.arrive = table.number("arrive", g.arrive);
+  g.every = table.number("every", 0);
+  g.leave = table.number("leave", g.leave);
   if (table.has("every") && !table.has("arrive")) table.refuse("every", "is given without arrive; expected both");
   table.finish();
   return g;
+}
+
+// As many as live in the habitat at that temperature.
+int agents_at(Table& table, Table& root, std::size_t groups) {
+  const double celsius = table.number("celsius", std::nullopt), volume = table.number("volume", 1);
+  table.finish();
+  if (root.has("agents") || groups > 1)
+    table.refuse("[temperature] says how many agents there are; expected neither agents nor several [[group]]");
+  const double count = std::round(insects_at(celsius) * volume);
+  if (!(count >= 1 && count <= static_cast<double>(kMost)))
+    table.refuse("celsius", fmt::format("= {:g} makes {:.0f} insects; expected 1 to {}", celsius, count, kMost));
+  return static_cast<int>(count);
 }
 
 std::vector<Group> groups_of(Table& root, const Scenario& scene) {
@@ -247,11 +204,12 @@ std::vector<Group> groups_of(Table& root, const Scenario& scene) {
   for (Table& table : root.tables("group")) groups.push_back(group_of(table, scene, start));
   if (groups.empty()) {
     groups.emplace_back();
-    groups.front().agents = static_cast<int>(root.whole("agents", 100, 1, kMost));
+    groups.front().agents = static_cast<int>(root.whole("agents", 100));
     groups.front().start = start;
   } else if (root.has("agents")) {
     root.refuse("agents", "is given beside [[group]]; expected agents of each group");
   }
+  if (auto table = root.table("temperature")) groups.front().agents = agents_at(*table, root, groups.size());
   std::int64_t all = 0;
   for (const Group& g : groups) all += g.agents;
   if (all > kMost) root.refuse(fmt::format("{} agents; expected at most {}", all, kMost));
@@ -281,8 +239,8 @@ Expectation expectation_of(const std::string& name, Table table) {
   Expectation e;
   e.name = name;
   e.measure = table.text("measure", std::nullopt);
-  e.above = table.number("above", e.above, kAnyNumber);
-  e.below = table.number("below", e.below, kAnyNumber);
+  e.above = table.number("above", e.above);
+  e.below = table.number("below", e.below);
   e.published = table.text("published", "");
   e.place = table.place_of("measure");
   if (!table.has("above") && !table.has("below"))
@@ -312,14 +270,14 @@ Scenario about(Table& root) {
   scene.shows = root.text("shows", "");
   if (!scene.shows.empty() && scene.shows != spec.name)
     root.refuse("shows", fmt::format("= '{}' is not the model; expected {}", scene.shows, spec.name));
-  scene.dims = static_cast<int>(root.whole("dims", std::find(spec.dims.begin(), spec.dims.end(), 3) != spec.dims.end() ? 3 : 2, 2, 3));
+  scene.dims = static_cast<int>(root.whole("dims", std::find(spec.dims.begin(), spec.dims.end(), 3) != spec.dims.end() ? 3 : 2));
   if (std::find(spec.dims.begin(), spec.dims.end(), scene.dims) == spec.dims.end())
     root.refuse("dims", fmt::format("= {}, in which {} does not move; expected {}", scene.dims, spec.name, fmt::join(spec.dims, " or ")));
-  scene.frames = root.whole("frames", scene.frames, 1, kMost);
-  scene.warm_up = root.whole("warm_up", 0, 0, kMost);
-  scene.dt = 1 / root.number("fps", 100, {1e-6, 1e9});
-  scene.substeps = static_cast<int>(root.whole("steps", 0, 1, 10'000));
-  scene.seed = static_cast<std::uint64_t>(root.whole("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
+  scene.frames = root.whole("frames", scene.frames);
+  scene.warm_up = root.whole("warm_up", 0);
+  scene.dt = 1 / root.number("fps", 100);
+  scene.substeps = static_cast<int>(root.whole("steps", 0));
+  scene.seed = static_cast<std::uint64_t>(root.whole("seed", 1));
   scene.unit = root.text("unit", scene.unit);
   return scene;
 }
@@ -337,8 +295,8 @@ Scenario read_scenario(const std::string& path, const std::string& text) {
   Scenario scene = about(root);
   scene.name = stem(path);
   scene.bounds = {};
-  if (auto table = root.table("bounds")) scene.bounds = bounds_of(*table, scene.dims);
-  for (const Table& table : root.tables("obstacle")) scene.obstacles.push_back(obstacle_of(table, scene.dims));
+  if (auto table = root.table("bounds")) scene.bounds = read_bounds(*table, scene.dims);
+  for (const Table& table : root.tables("obstacle")) scene.obstacles.push_back(read_obstacle(table, scene.dims));
   for (const Table& table : root.tables("stimulus")) scene.stimuli.push_back(stimulus_of(table, scene.dims));
   read_paths(root, scene);
   if (auto table = root.table("bridge")) scene.bridge = bridge_of(*table);

@@ -20,4 +20,7 @@ struct ScenarioFile {
 };
 std::span<const ScenarioFile> scenario_files();  // by name
 
+// The meshes that lie there, by name with their ending.
+std::span<const ScenarioFile> scenario_meshes();
+
 }  // namespace swarmfit

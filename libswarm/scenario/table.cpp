@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "libtrack/error.h"
@@ -63,6 +64,16 @@ std::string Table::text(std::string_view key, std::optional<std::string> otherwi
   return *text;
 }
 
+const ScenarioKey& Table::known(std::string_view key) const {
+  const ScenarioKey* found = find_scenario_key(heading_, key);
+  assert(found);
+  return *found;
+}
+
+std::string Table::choice(std::string_view key, std::optional<std::string> otherwise) {
+  return choice(key, known(key).words, std::move(otherwise));
+}
+
 std::string Table::choice(std::string_view key, std::span<const std::string_view> allowed, std::optional<std::string> otherwise) {
   std::string word = text(key, std::move(otherwise));
   if (std::find(allowed.begin(), allowed.end(), word) == allowed.end())
@@ -70,7 +81,9 @@ std::string Table::choice(std::string_view key, std::span<const std::string_view
   return word;
 }
 
-double Table::number(std::string_view key, std::optional<double> otherwise, Interval allowed) {
+double Table::number(std::string_view key, std::optional<double> otherwise) { return number(key, otherwise, known(key).range); }
+
+double Table::number(std::string_view key, std::optional<double> otherwise, NumberRange allowed) {
   if (!ask(key) && otherwise) return *otherwise;
   const auto value = number_of(need(key));
   if (!value || *value < allowed.lower || *value > allowed.upper)
@@ -79,12 +92,14 @@ double Table::number(std::string_view key, std::optional<double> otherwise, Inte
   return *value;
 }
 
-std::int64_t Table::whole(std::string_view key, std::optional<std::int64_t> otherwise, std::int64_t lower, std::int64_t upper) {
+std::int64_t Table::whole(std::string_view key, std::optional<std::int64_t> otherwise) {
   if (!ask(key) && otherwise) return *otherwise;
   const auto* value = std::get_if<std::int64_t>(&need(key).value);
-  if (!value || *value < lower || *value > upper)
-    refuse(key,
-           fmt::format("{}is not allowed; expected a whole number from {} to {}", value ? fmt::format("= {} ", *value) : "", lower, upper));
+  const NumberRange range = known(key).range;
+  // The upper end as a double may lie beyond the greatest whole number, and then nothing does.
+  if (!value || static_cast<double>(*value) < range.lower || static_cast<double>(*value) > range.upper)
+    refuse(key, fmt::format("{}is not allowed; expected a whole number from {:.0f} to {:.0f}", value ? fmt::format("= {} ", *value) : "",
+                            range.lower, range.upper));
   return *value;
 }
 

@@ -9,17 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "libswarm/scenario/keys.h"
 #include "libswarm/scenario/node.h"
 
 namespace swarmfit {
-
-// What numbers are allowed: from `lower` to `upper`, both included.
-struct Interval {
-  double lower = -1e9, upper = 1e9;
-};
-inline constexpr Interval kAnyNumber{};
-inline constexpr Interval kNotNegative{0, 1e9};
-inline constexpr Interval kPositive{1e-9, 1e9};
 
 // A table of a TOML file whose keys are asked for one by one; what nobody asked for is refused in the end. Every function throws InputError
 // "file:line:column: what is wrong; what was expected". Borrows path and table.
@@ -30,9 +23,12 @@ class Table {
 
   bool has(std::string_view key);
   std::string text(std::string_view key, std::optional<std::string> otherwise);  // nothing otherwise: it must be there
+  // Words and ranges are those of scenario_keys(), unless others are given.
+  std::string choice(std::string_view key, std::optional<std::string> otherwise);
   std::string choice(std::string_view key, std::span<const std::string_view> allowed, std::optional<std::string> otherwise);
-  double number(std::string_view key, std::optional<double> otherwise, Interval allowed);
-  std::int64_t whole(std::string_view key, std::optional<std::int64_t> otherwise, std::int64_t lower, std::int64_t upper);
+  double number(std::string_view key, std::optional<double> otherwise);
+  double number(std::string_view key, std::optional<double> otherwise, NumberRange allowed);
+  std::int64_t whole(std::string_view key, std::optional<std::int64_t> otherwise);
   // [x, y, z], or [x, y] in two dimensions.
   Eigen::Array3d place(std::string_view key, std::optional<Eigen::Array3d> otherwise, int dims);
   std::vector<double> numbers(std::string_view key);                               // one, or an array of them
@@ -44,6 +40,7 @@ class Table {
   void finish() const;                    // refuses keys that nobody asked for
   std::string place_of(std::string_view key) const;
   std::string place() const;
+  const std::string& path() const { return *path_; }                              // of the file
   [[noreturn]] void refuse(std::string_view key, const std::string& what) const;  // at the key
   [[noreturn]] void refuse(const std::string& what) const;                        // at the table
 
@@ -51,6 +48,7 @@ class Table {
   const Node* find(std::string_view key) const;
   const Node* ask(std::string_view key);
   const Node& need(std::string_view key);
+  const ScenarioKey& known(std::string_view key) const;
   std::vector<double> numbers_of(std::string_view key, const Node& node) const;
   std::string called(std::string_view key) const;
 

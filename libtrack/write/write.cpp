@@ -123,7 +123,8 @@ std::span<const WrittenFormat> written_formats() {
   static constexpr std::array list = {WrittenFormat{"csv", "delimited text with a header", ".csv", to_csv},
                                       WrittenFormat{"hdf5", "HDF5, one column per dataset", ".h5 .hdf5", to_hdf5},
                                       WrittenFormat{"npz", "NumPy arrays, one per column", ".npz", to_npz},
-                                      WrittenFormat{"jupedsim", "JuPedSim's SQLite; metres, two dimensions", ".sqlite", to_jupedsim}};
+                                      WrittenFormat{"jupedsim", "JuPedSim's SQLite; metres, two dimensions", ".sqlite", to_jupedsim},
+                                      WrittenFormat{"vtk", "a series for ParaView; not read back", ".pvd", nullptr, to_vtk}};
   return list;
 }
 
@@ -131,7 +132,7 @@ const WrittenFormat& written_format(std::string_view name, std::string_view path
   const auto all = written_formats();
   if (!name.empty()) {
     const auto hit = std::find_if(all.begin(), all.end(), [&](const auto& f) { return f.name == name; });
-    if (hit == all.end()) throw InputError(fmt::format("'{}' is not known; expected csv, hdf5, npz or jupedsim", name));
+    if (hit == all.end()) throw InputError(fmt::format("'{}' is not known; expected csv, hdf5, npz, jupedsim or vtk", name));
     return *hit;
   }
   for (const auto& format : all)

@@ -3,10 +3,12 @@
 // recording, are kept in all of them.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "libtrack/polyhedron.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
@@ -29,9 +31,23 @@ std::string to_npz(const Tracks& tracks);
 // three-dimensional recordings and those that are not in metres, which is what the format can hold.
 std::string to_jupedsim(const Tracks& tracks);
 
+// Tracks, and what was around them for formats that hold it.
+struct Surrounded {
+  const Tracks& tracks;
+  std::span<const Polyhedron> bodies = {};  // that stand still
+  const Tracks* marks = nullptr;            // stimuli and goals; null: none
+};
+using PutFile = std::function<void(const std::string& path, const std::string& bytes)>;
+
+// A series of files for ParaView: `path`, which ends on .pvd, and a folder of that name without the ending with a .vtp for every frame.
+// Points have id (a number of the track), kind, velocity [unit/s] and speed. `put` writes a file; that of `path` comes last. Throws
+// InputError for another ending.
+void to_vtk(const Surrounded& all, const std::string& path, const PutFile& put);
+
 struct WrittenFormat {
   std::string_view name, summary, endings;
-  std::string (*write)(const Tracks&);
+  std::string (*write)(const Tracks&) = nullptr;  // one file; null: several
+  void (*write_several)(const Surrounded&, const std::string& path, const PutFile& put) = nullptr;
 };
 std::span<const WrittenFormat> written_formats();
 

@@ -36,6 +36,7 @@ function paintOf(colour) {
   const faded = (steps, most) => [...Array(steps).keys()].flatMap((step) => scale.map((c) => written(mixed(c, page, most * (1 - step / (steps - 1))))));
   return {
     page: style("--page"), line: style("--line"), soft: style("--soft"), font: `12px ${getComputedStyle(document.body).fontFamily}`,
+    solids: [...Array(SHADES).keys()].map((k) => written(mixed(page, dark ? [255, 255, 255] : [70, 64, 50], dark ? 0.12 + 0.16 * k / (SHADES - 1) : 0.34 - 0.22 * k / (SHADES - 1)))),
     scale: scale.map(written), heads: faded(LAYERS, 0.45), tails: faded(BANDS, 0.82),
   };
 }
@@ -61,13 +62,22 @@ class Player {
     const scales = scalesOf(films[0], frames);
     this.scales = scales;
     const across = Math.hypot(...scales.upper.map((u, k) => u - scales.lower[k]));
-    this.view.follow = across > 6 * scales.reach;
+    this.scenery = await unpackedScenery(this.data.scenery, takes[0].lower, dims, frames, dt);
+    if (this.scenery) this.embrace(this.scenery);
+    const bodies = this.scenery !== null && this.scenery.balls.length + this.scenery.faces.length > 0;
+    this.view.follow = across > 6 * scales.reach && !bodies;
     this.view.tail = this.usualTail(films[0], across);
     this.longest = Math.max(this.view.tail, Math.min(300, frames - 1));
     this.rate = this.usualRate();
     this.build(films);
     this.repaint();
     this.watch();
+  }
+
+  // The picture holds the scenery, too.
+  embrace({ lower, upper }) {
+    this.scales.lower = this.scales.lower.map((x, k) => Math.min(x, lower[k]));
+    this.scales.upper = this.scales.upper.map((x, k) => Math.max(x, upper[k]));
   }
 
   // In frames: across a fifth of the picture, less in a crowd, where long tails hide everybody and take time.
@@ -100,7 +110,7 @@ class Player {
     this.root.append(this.controls(), stage, this.legend());
     this.shape();
     this.stages = [...stage.querySelectorAll("canvas")].map((canvas, k) =>
-      new Stage(canvas, films[k], smoothed(middlesOf(films[k], this.clock.length), this.clock), this.data.dims, this.scales, this.data.unit, films.length));
+      new Stage(canvas, films[k], smoothed(middlesOf(films[k], this.clock.length), this.clock), this.data.dims, this.scales, this.data.unit, films.length, this.scenery));
     this.listen();
   }
 
@@ -149,8 +159,23 @@ class Player {
       dot.style.color = TRACKS[k % TRACKS.length];
       return [dot, `${name} `];
     }));
-    return make("div", {}, this.key, this.kinds, make("p", {
+    return make("div", {}, this.key, this.kinds, ...this.signs(), make("p", {
       class: "note hint", text: `In the pictures: ${turn}; Ctrl and the wheel, or the wheel after a click, to zoom. Keys: space, comma and full stop, + and −, 0, arrows.` }));
+  }
+
+  // What the marks and bodies of the scenery mean.
+  signs() {
+    if (!this.scenery) return [];
+    const { marks, balls, faces } = this.scenery, kinds = Object.keys(MARK_NAMES).filter((kind) => marks.some((mark) => mark.kind === kind));
+    const sign = (text, colour, name) => {
+      const dot = make("span", { class: "dot", text });
+      dot.style.color = colour;
+      return [dot, ` ${name} `];
+    };
+    const shown = { attract: "●", repel: "◆", goal: "◌" };
+    const all = kinds.flatMap((kind) => sign(shown[kind], MARK_COLOURS[kind], MARK_NAMES[kind]));
+    if (balls.length + faces.length > 0) all.push(...sign("■", "#a9a59c", "obstacle; nobody is hidden behind one"));
+    return all.length > 0 ? [make("p", { class: "note key-of-signs" }, ...all)] : [];
   }
 
   listen() {

@@ -29,8 +29,8 @@ function roundBelow(x) {
 }
 
 class Stage {
-  constructor(canvas, film, middles, dims, scales, unit, neighbours) {
-    Object.assign(this, { canvas, film, middles, dims, scales, unit });
+  constructor(canvas, film, middles, dims, scales, unit, neighbours, scenery) {
+    Object.assign(this, { canvas, film, middles, dims, scales, unit, scenery });
     this.most = Math.floor(Math.min(MOST_PIECES, 2 * MOST_PIECES / neighbours));
     this.context = canvas.getContext("2d", { alpha: false });
     let most = 1;
@@ -62,7 +62,7 @@ class Stage {
     if (follow) return Math.min(across, down) / (2.2 * reach);
     if (this.dims === 2) return Math.min(across / (upper[0] - lower[0] || 1), down / (upper[1] - lower[1] || 1));
     const half = Math.hypot(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]) / 2 || 1;
-    return 1.15 * Math.min(across, down) / (2 * half);
+    return (this.scenery ? 1 : 1.15) * Math.min(across, down) / (2 * half);
   }
 
   middleAt(position, axis) {
@@ -92,6 +92,7 @@ class Stage {
     c.fillRect(0, 0, this.width, this.height);
     this.look(position, view);
     if (!view.follow) this.drawBox(paint);
+    if (this.scenery) drawScenery(this.context, this.scenery, this.projection, this.scale, Math.floor(position), this.dims, paint);
     if (view.tail > 0) this.drawTails(position, view, paint);
     this.drawHeads(position, view, paint);
     this.drawScale(paint);

@@ -38,7 +38,7 @@ Html motion(const Comparison& c) {
   for (std::size_t k = 0; k < c.models.size(); ++k) takes.push_back({c.models[k].model, &c.models[k].film, static_cast<int>(k)});
   Html out = markup("<section id=\"motion\" aria-labelledby=\"motion-title\">\n<h2 id=\"motion-title\">In motion</h2>\n");
   out += element("p", "", escaped(what_is_shown(c) + who_is_shown(c)));
-  out += player(takes);
+  out += player(takes, c.around);
   out += markup("</section>\n");
   return out;
 }

@@ -18,7 +18,7 @@ Html pictures(const Comparison&);       // recording beside every model; nothing
 Html quality(const Comparison&);        // of the tracks over time
 Html convergence(const Comparison&);
 Html posteriors(const Comparison&);   // nothing without samples
-Html motion(const Comparison&);       // films of the recording and every model, a section of its own; nothing without a film
+Html motion(const Comparison&);       // films of the recording and every model in their surroundings, a section of its own; nothing without a film
 Html settings(const Comparison&);     // what was kept fixed, and the time step
 Html legend(const Comparison&);       // check boxes of the charts
 Html pdf_figures(const Comparison&);  // an empty canvas per column

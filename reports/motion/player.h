@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/results/scenery.h"
 #include "libtrack/tracks.h"
 #include "reports/write/html_table.h"
 
@@ -21,8 +22,9 @@ struct Take {
 };
 
 // A player and the films it plays, in step; the first sets scale, unit and box. Everything else it shows is made by the script, so that a
-// page without JavaScript has a sentence in its place. Nothing if nobody is to be seen in the first film.
-Html player(const std::vector<Take>& takes);
+// page without JavaScript has a sentence in its place. Nothing if nobody is to be seen in the first film. The scenery surrounds all of
+// them.
+Html player(const std::vector<Take>& takes, const Scenery& scenery = {});
 
 // The script that a page with players needs, once, after the last of them.
 std::string player_script();

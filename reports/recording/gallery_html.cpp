@@ -14,7 +14,7 @@ Html exhibit(const Exhibit& e) {
   const std::string name = html_escaped(e.card.name);
   Html out{fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{0}</h2>\n", name)};
   out += markup("<div class=\"exhibit\"><div>");
-  out += player({{e.card.name, &e.tracks}});
+  out += player({{e.card.name, &e.tracks}}, e.scenery);
   out += markup("</div><div>");
   out += model_card(e.card);
   out += element("pre", "", element("code", "", escaped(e.command)));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/results/scenery.h"
 #include "libtrack/tracks.h"
 #include "reports/recording/model_card.h"
 
@@ -14,6 +15,7 @@ struct Exhibit {
   ModelCard card;
   std::string command;  // that simulates it
   Tracks tracks;
+  Scenery scenery = {};
 };
 
 // Players run only while they can be seen. As safe as report_html.

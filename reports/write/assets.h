@@ -14,8 +14,8 @@ extern const std::string_view gallery_html;
 extern const std::string_view study_html;  // the page of recover and power, likewise
 extern const std::string_view report_css;
 extern const std::string_view report_js;
-extern const std::string_view film_js, stage_js, player_js;  // the player's parts, in this order
-extern const std::string_view sort_js;                       // tables that sort themselves
-extern const std::string_view chart_js;                      // Chart.js, MIT licence
+extern const std::string_view film_js, scenery_js, stage_js, player_js;  // the player's parts, in this order
+extern const std::string_view sort_js;                                   // tables that sort themselves
+extern const std::string_view chart_js;                                  // Chart.js, MIT licence
 
 }  // namespace swarmfit::assets

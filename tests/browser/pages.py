@@ -84,6 +84,28 @@ class Pages:
                  "speed=4", "--set", "radius=3", "--warm-up", "60", "--html", "flock.html")
         return self.url("flock.html")
 
+    def predator(self):
+        """A predator that comes late and crosses the picture, beside a block."""
+        (self.folder / "predator.toml").write_text("""title = "late"
+model = "brownian"
+dims = 2
+agents = 5
+frames = 100
+[start]
+radius = 1
+speed = 0
+[[stimulus]]
+kind = "repel"
+path = [[0.4, -3, 2], [0.9, 3, 2]]
+from = 0.4
+[[obstacle]]
+shape = "box"
+lower = [-3, -3]
+upper = [3, -2]
+""")
+        self.run("simulate", "./predator.toml", "--html", "predator.html")
+        return self.url("predator.html")
+
     def gallery(self):
         self.run("gallery", "gallery.html")
         return self.url("gallery.html")

@@ -61,6 +61,30 @@ class Players(Page):
         self.browser.run("window.kept = window.first")
         self.expect_unchanged("as at first")
 
+    # A stimulus is where it is at that time, and obstacles stand still.
+    def test_shows_what_surrounds(self):
+        where = """
+            const c = document.querySelector(".stage canvas"), data = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+            const [red, green, blue] = arguments[0];
+            let x = 0, y = 0, n = 0;
+            for (let k = 0; k < data.length; k += 4)
+              if (data[k] === red && data[k + 1] === green && data[k + 2] === blue) x += k / 4 % c.width, y += Math.floor(k / 4 / c.width), ++n;
+            return [x / n / c.width, y / n / c.height, n];"""
+        predator = [0xC2, 0x18, 0x5B]
+        self.open_player("predator")
+        self.set(".player label input[type=range]", 0)
+        self.scrub(10)
+        self.assertEqual(self.browser.run(where, predator)[2], 0)
+        self.scrub(45)
+        left, above, pixels = self.browser.run(where, predator)
+        self.assertGreater(pixels, 40)
+        self.scrub(85)
+        right, still_above, _ = self.browser.run(where, predator)
+        self.assertGreater(right, left + 0.3)
+        self.assertAlmostEqual(above, still_above, delta=0.02)
+        self.assertIn("repels", self.browser.text(self.browser.find(".key-of-signs")))
+        self.assertIn("obstacle", self.browser.text(self.browser.find(".key-of-signs")))
+
     # A group that travels is followed from the start, and then stays in the middle; in its box it crosses the picture.
     def test_follows_the_group(self):
         ink = """

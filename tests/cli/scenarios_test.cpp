@@ -65,5 +65,75 @@ TEST_F(Scenarios, FaultsAreRefusedWithTheirPlace) {
   expect_refused("simulate boids", "nothing to write");
 }
 
+// Every key of a file is one of the schema's, and what it needs is there.
+void expect_valid(const nlohmann::json& schema, const nlohmann::json& value, const std::string& where) {
+  if (schema.contains("enum")) {
+    EXPECT_THAT(schema["enum"], Contains(value)) << where;
+    return;
+  }
+  if (schema.at("type") == "array" && schema.contains("items"))
+    for (const auto& item : value) expect_valid(schema["items"], item, where);
+  if (schema.at("type") != "object") return;
+  for (const auto& [key, inner] : value.items()) {
+    const auto& properties = schema.contains("properties") ? schema["properties"] : nlohmann::json::object();
+    if (properties.contains(key)) {
+      expect_valid(properties[key], inner, where + "." + key);
+      continue;
+    }
+    ASSERT_TRUE(schema["additionalProperties"].is_object()) << where << ": " << key;
+    if (schema["additionalProperties"].contains("type")) expect_valid(schema["additionalProperties"], inner, where + "." + key);
+  }
+  if (schema.contains("required"))
+    for (const auto& name : schema["required"]) EXPECT_TRUE(value.contains(name)) << where << ": " << name;
+}
+
+TEST_F(Scenarios, TheSchemaIsOfWhatTheReaderReads) {
+  const Result printed = run("scenarios --schema");
+  ASSERT_EQ(printed.code, 0) << printed.err;
+  const auto schema = nlohmann::json::parse(printed.out);
+  EXPECT_EQ(schema.at("required"), nlohmann::json({"title", "model"}));
+  EXPECT_EQ(schema["properties"]["obstacle"]["items"]["properties"]["shape"]["enum"],
+            nlohmann::json({"sphere", "box", "cylinder", "plane", "mesh"}));
+  EXPECT_EQ(schema["properties"]["stimulus"]["items"]["properties"]["ring"]["properties"]["ahead"]["minimum"], -180);
+  EXPECT_FALSE(schema["properties"]["group"]["items"]["properties"]["start"]["properties"].empty());
+  expect_valid(schema, nlohmann::json::parse(R"({"title": "t", "model": "m", "bounds": {"shape": "box", "lower": [0, 0], "upper": [1, 1]},
+    "expect": {"a": {"measure": "met", "radius": 1, "above": 0}}, "parameters": {"gain": 1}, "schedule": {"gain": [[0, 1]]}})"),
+               "");
+}
+
+TEST_F(Scenarios, WallsFromAFileHoldForAModelAlone) {
+  write("tank.toml",
+        "[bounds]\nshape = \"box\"\nlower = [0, 0, 0]\nupper = [1, 1, 1]\n[[obstacle]]\nshape = \"mesh\"\nfile = \"stone.obj\"\n");
+  write("stone.obj", "v 0.4 0.4 0.4\nv 0.6 0.4 0.4\nv 0.4 0.6 0.4\nv 0.4 0.4 0.6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  const Result r = run("simulate brownian --world tank.toml --agents 20 --frames 40 -o -");
+  ASSERT_EQ(r.code, 0) << r.err;
+  std::istringstream lines(r.out);
+  int rows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    double x = 0, y = 0, z = 0;
+    if (std::sscanf(line.c_str(), "%*d,%*d,%*lf,%lf,%lf,%lf", &x, &y, &z) != 3) continue;
+    ++rows;
+    EXPECT_TRUE(x >= 0 && x <= 1 && y >= 0 && y <= 1 && z >= 0 && z <= 1) << line;
+    EXPECT_FALSE(x > 0.4 && y > 0.4 && z > 0.4 && x + y + z < 1.4 - 1e-9) << line;
+  }
+  EXPECT_EQ(rows, 800);
+  expect_refused("simulate two_blocks --world tank.toml -o a.csv", "expected a scenario without goals");
+  expect_refused("simulate brownian --world no.toml -o a.csv", "no.toml");
+  write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write("bad.toml", "[[obstacle]]\nshape = \"mesh\"\nfile = \"open.obj\"\n");
+  expect_refused("simulate brownian --world bad.toml -o a.csv", "open.obj: the surface is open at the edge from");
+}
+
+TEST_F(Scenarios, ASeriesForParaViewHoldsBodiesAndMarks) {
+  const Result r = run("simulate two_blocks --agents 5 --frames 3 --out run.pvd");
+  ASSERT_EQ(r.code, 0) << r.err;
+  for (const char* name : {"run.pvd", "run/frame000000.vtp", "run/frame000002.vtp", "run/bodies.vtp", "run/marks000001.vtp"})
+    EXPECT_TRUE(fs::exists(dir_ / name)) << name;
+  EXPECT_THAT(content(dir_ / "run/bodies.vtp"), HasSubstr("NumberOfPoints=\"16\"")) << "two blocks with eight corners";
+  ASSERT_EQ(run("convert demo --frames 0:2 --to vtk -o demo.pvd").code, 0);
+  EXPECT_TRUE(fs::exists(dir_ / "demo/frame000002.vtp"));
+  expect_refused("convert demo --to vtk -o -", "expected a name that ends on .pvd");
+}
+
 }  // namespace
 }  // namespace swarmfit::test

@@ -9,6 +9,7 @@ namespace swarmfit {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 struct Seen {
   std::uint32_t track;
@@ -65,6 +66,39 @@ TEST(Picture, TitleIsEscapedAndNobodyIsAnError) {
   TrackColumns nobody;
   nobody.pos.resize(0, 3);
   EXPECT_THROW(picture_svg(Tracks(nobody, meta), "none"), InputError);
+}
+
+// One mm of the page per mm, from (28, 396) for the lower left corner of the box.
+TEST(Picture, ShowsWhatIsAround) {
+  Scenery scenery;
+  scenery.box = Scenery::Box{{0, 0, 0}, {664, 368, 0}};
+  scenery.balls = {{{100, 100, 0}, 50}};
+  scenery.solids = {{{{200, 0, 0}, {300, 0, 0}, {300, 10, 0}, {200, 10, 0}}, {{0, 1, 2, 3}}}};
+  scenery.marks = {{Scenery::Mark::Kind::repel, 0}, {Scenery::Mark::Kind::goal, 20}};
+  scenery.seen = planar({{0, 0, 0, 0}, {0, 1, 400, 0}, {1, 0, 500, 0}, {1, 1, 500, 0}}, 2);
+  const auto svg = picture_svg(planar({{0, 0, 0, 0}, {0, 1, 10, 0}}, 1), "one", scenery);
+  EXPECT_THAT(svg, HasSubstr("<circle class=\"solid\" cx=\"128.0\" cy=\"296.0\" r=\"50.0\"/>"));
+  EXPECT_THAT(svg, HasSubstr("d=\"M228.0 396.0L328.0 396.0 328.0 386.0 228.0 386.0z\""));
+  EXPECT_THAT(svg, HasSubstr("class=\"threat\" d=\"M428.0 390.0"));  // where it is in the last frame
+  EXPECT_THAT(svg, HasSubstr("<circle class=\"goal\" cx=\"528.0\" cy=\"396.0\" r=\"20.0\"/>"));
+  EXPECT_THAT(svg, HasSubstr(">repels</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr(">attracts</text>")));
+}
+
+TEST(Picture, KindsHaveColoursAndNames) {
+  TrackColumns columns;
+  columns.track = {0, 1};
+  columns.frame = {0, 0};
+  columns.kind = {0, 1};
+  columns.names = {"0", "1"};
+  columns.pos = Rows::Zero(2, 3);
+  columns.pos(1, 0) = 1;
+  TrackMeta meta;
+  meta.dims = 2;
+  meta.dt = 1;
+  meta.kinds = {"sheep", "dog"};
+  const auto svg = picture_svg({columns, meta}, "both");
+  for (const char* said : {"color=\"#0072b2\"", "color=\"#d55e00\"", ">sheep</text>", ">dog</text>"}) EXPECT_THAT(svg, HasSubstr(said));
 }
 
 }  // namespace

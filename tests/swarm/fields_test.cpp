@@ -42,6 +42,7 @@ bool solid(const Obstacle& o, const Array3d& p) {
       return along > 0 && along < 1 && length(p - o.lower - along * (o.upper - o.lower)) < o.radius;
     }
     case Obstacle::Shape::plane:
+    case Obstacle::Shape::mesh:
       break;
   }
   return ((p - o.centre) * o.normal).sum() < 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 
 #include "libtrack/file.h"
 #include "libtrack/rng.h"
@@ -165,7 +166,7 @@ TEST(Write, OddCharactersComeBack) {
     meta.from.notes = {"note of " + unit};
     const Tracks before(std::move(c), std::move(meta));
     for (const auto& format : written_formats()) {
-      if (format.name == "jupedsim") continue;
+      if (format.name == "jupedsim" || !format.write) continue;
       SCOPED_TRACE(unit + " as " + std::string(format.name));
       const Tracks after = read(format.write(before));
       EXPECT_EQ(after.meta().unit, unit);
@@ -190,9 +191,42 @@ TEST(Write, TheEndingNamesTheFormat) {
   EXPECT_EQ(written_format("", "a.h5").name, "hdf5");
   EXPECT_EQ(written_format("", "a.hdf5").name, "hdf5");
   EXPECT_EQ(written_format("", "a.sqlite").name, "jupedsim");
+  EXPECT_EQ(written_format("", "a.pvd").name, "vtk");
   EXPECT_EQ(written_format("", "-").name, "csv");
   EXPECT_EQ(written_format("npz", "a.csv").name, "npz");
-  EXPECT_THAT([] { written_format("xls", "a"); }, testing::ThrowsMessage<InputError>(HasSubstr("expected csv, hdf5, npz or jupedsim")));
+  EXPECT_THAT([] { written_format("xls", "a"); },
+              testing::ThrowsMessage<InputError>(HasSubstr("expected csv, hdf5, npz, jupedsim or vtk")));
+}
+
+TEST(WriteVtk, AFileForEveryFrameAndAListOfThem) {
+  TrackColumns c;
+  c.names = {"a", "b"};
+  c.track = {0, 1, 0};
+  c.frame = {0, 0, 1};
+  c.pos = Rows::Zero(3, 3);
+  c.pos.row(0) << 1, 2, 0;
+  c.pos.row(1) << 0.1, 0, 0;
+  c.pos.row(2) << 1.5, 2, 0;
+  const Tracks tracks(std::move(c), {.dims = 2, .dt = 0.5, .t0 = 10, .unit = "m", .from = {}});
+  const std::vector<Polyhedron> bodies{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {{{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}}}};
+  std::vector<std::string> names;
+  std::map<std::string, std::string> files;
+  to_vtk({tracks, bodies}, "out/a&b.pvd",
+         [&](const std::string& path, const std::string& bytes) { names.push_back(path), files[path] = bytes; });
+  EXPECT_THAT(names, ElementsAre("out/a&b/frame000000.vtp", "out/a&b/frame000001.vtp", "out/a&b/bodies.vtp", "out/a&b.pvd"));
+  EXPECT_THAT(files["out/a&b.pvd"], HasSubstr("<DataSet timestep=\"10.5\" part=\"0\" file=\"a&amp;b/frame000001.vtp\"/>"));
+  EXPECT_THAT(files["out/a&b.pvd"], HasSubstr("<DataSet timestep=\"10\" part=\"1\" file=\"a&amp;b/bodies.vtp\"/>"));
+  const std::string& first = files["out/a&b/frame000000.vtp"];
+  for (const char* said :
+       {"NumberOfPoints=\"2\" NumberOfVerts=\"2\"", "Name=\"position\" NumberOfComponents=\"3\" format=\"ascii\">\n1 2 0 0.1 0 0 \n",
+        "Name=\"velocity\" NumberOfComponents=\"3\" format=\"ascii\">\n1 0 0 0 0 0 \n",
+        "Name=\"offsets\" NumberOfComponents=\"1\" format=\"ascii\">\n1 2 \n"})
+    EXPECT_THAT(first, HasSubstr(said));
+  EXPECT_THAT(files["out/a&b/frame000001.vtp"], HasSubstr("\n1 0 0 \n")) << "the last velocity is that of the frame before";
+  EXPECT_THAT(files["out/a&b/bodies.vtp"], HasSubstr("\n0 1 2 3 4 5 \n"));
+  EXPECT_THAT(files["out/a&b/bodies.vtp"], HasSubstr("\n3 6 \n"));
+  EXPECT_THAT([&] { to_vtk({tracks}, "-", [](const std::string&, const std::string&) {}); },
+              testing::ThrowsMessage<InputError>(HasSubstr("expected a name that ends on .pvd")));
 }
 
 TEST(WriteCsv, TheTextItself) {
