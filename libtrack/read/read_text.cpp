@@ -178,8 +178,9 @@ class RowReader {
   }
 
   TimeUnit given_time_unit(const std::string& text) const {
-    const auto unit = time_unit(text);
-    if (!unit) throw InputError(fmt::format("`time-unit`: '{}' is not known; expected s, ms, us, ns, min, h or d", text));
+    const auto unit = scaled_time_unit(text);
+    if (!unit)
+      throw InputError(fmt::format("`time-unit`: '{}' is not known; expected s, ms, us, ns, min, h or d, or so many of them: 0.01s", text));
     if (map_.time != TimeUnit{} && map_.time != *unit)
       throw InputError(
           fmt::format("{}: the header states another unit of time than `time-unit` {}; expected the same or none given", name_, text));
