@@ -113,7 +113,8 @@ class RowReader {
     const long column = fields.column();
     const double value = read_number(fields, place);
     if (std::isnan(value)) place.fail(column, "the frame number is missing; expected an integer");
-    if (value != std::floor(value) || std::abs(value) > 9e15)
+    if (std::abs(value) > 9e15) place.fail(column, fmt::format("the frame number {} is too large; expected one up to 9e15", value));
+    if (value != std::floor(value))
       place.fail(column, fmt::format("the frame number {} is not an integer; expected whole frames (a time column is called t)", value));
     return value;
   }
