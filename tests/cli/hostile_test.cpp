@@ -188,7 +188,7 @@ TEST_F(Hostile, FramesFarApartAreAGap) {
     std::string rows = "id,frame,x,y\n";
     for (const char* id : {"a", "b"})
       for (int f = 0; f < 6; ++f)
-        rows += fmt::format("{},{},{},{}\n{},{},{},{}\n", id, f, f * f, id[0], id, std::stoll(hole) + f, f * f, id[0]);
+        rows += fmt::format("{},{},{},{}\n{},{},{},{}\n", id, f, f * f, id[0] - 'a', id, std::stoll(hole) + f, f * f, id[0] - 'a');
     write("hole.csv", rows);
     for (const char* presence : {"recorded", "constant"})
       expect_refused(
