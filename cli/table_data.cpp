@@ -122,7 +122,7 @@ std::vector<Setting> reading() {  // NOLINT(readability-function-size): a table
        .use = [](Arguments& a, const Value& v) { a.read.unit = v.text(); }},
       {.name = "time-unit",
        .in = kReading,
-       .help = "unit of bare numbers in a time column: ms, us, ns, min, h, d; seconds, where nothing tells",
+       .help = "unit of bare numbers in a time column: ms, us, ns, min, h, d, or 0.01s; seconds, where nothing tells",
        .group = kHeading,
        .use = [](Arguments& a, const Value& v) { a.read.time_unit = v.text(); }},
       {.name = "dates",

@@ -59,6 +59,9 @@ void sync_folder_of(const std::string& path) {
   if (folder) ::fsync(folder.get());
 }
 
+// Some files, such as pipes, have no disk behind them.
+bool on_the_disk(int fd) { return ::fdatasync(fd) == 0 || errno == EINVAL || errno == EROFS; }
+
 void write_directly(const std::string& path, std::string_view bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!file || !write_all(file.get(), bytes) || !file.close()) throw RunError(because(path, "cannot be written"));
@@ -126,12 +129,13 @@ void write_file_atomically(const std::string& path, std::string_view bytes) {
 AppendedFile::AppendedFile(const std::string& path)
     : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) throw RunError(because(path, "cannot be written"));
+  sync_folder_of(path);
 }
 
 AppendedFile::~AppendedFile() { ::close(descriptor_); }
 
 void AppendedFile::append(std::string_view bytes) {
-  if (!write_all(descriptor_, bytes)) throw RunError(because(path_, "cannot be written"));
+  if (!write_all(descriptor_, bytes) || !on_the_disk(descriptor_)) throw RunError(because(path_, "cannot be written"));
 }
 
 void AppendedFile::truncate(std::size_t size) {
@@ -139,9 +143,13 @@ void AppendedFile::truncate(std::size_t size) {
 }
 
 void make_directory(const std::string& path) {
+  const std::filesystem::path folder = path;
   std::error_code failed;
-  std::filesystem::create_directories(path, failed);
+  if (std::filesystem::is_directory(folder, failed)) return;
+  if (folder.has_parent_path() && folder.parent_path() != folder) make_directory(folder.parent_path().string());
+  std::filesystem::create_directory(folder, failed);
   if (failed) throw RunError(path + ": cannot create the folder: " + failed.message());
+  sync_folder_of(path);
 }
 
 std::string sha256_hex(std::string_view bytes) {

@@ -14,8 +14,8 @@ std::string read_file(const std::string& path);
 // all of the new one, whatever happens in between. Devices and pipes are written directly. Throws RunError.
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
-// A file that grows at its end, opened or created. Every append is handed to the operating system before it returns, so it survives the
-// death of the process, but not a power cut. All members throw RunError.
+// A file that grows at its end, opened or created. Every append is on the disk before it returns, so it survives the death of the process,
+// and a power cut. All members throw RunError.
 class AppendedFile {
  public:
   explicit AppendedFile(const std::string& path);
@@ -30,7 +30,7 @@ class AppendedFile {
   int descriptor_;
 };
 
-// Creates a directory and those above it, if they are not there. Throws RunError.
+// Creates a directory and those above it, if they are not there, and puts their names on the disk. Throws RunError.
 void make_directory(const std::string& path);
 
 // SHA-256 as 64 lower-case hexadecimal digits.

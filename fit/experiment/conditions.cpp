@@ -125,6 +125,19 @@ void surround(Conditions& c, const WorldFile& file, const std::string& arena) {
   c.world.add(std::move(walls));
 }
 
+// Every frame is simulated, those in which nobody is seen, too: a recording that is nearly all hole would take hours and the whole memory.
+void require_no_endless_hole(const Tracks& recording) {
+  constexpr std::int64_t most = 20'000'000, long_enough = 100'000, most_per_seen = 100;
+  const auto seen = static_cast<std::int64_t>(recording.frames().size());
+  if (seen == 0) return;
+  const std::int64_t first = recording.frames().front().number, last = recording.frames().back().number, frames = last - first + 1;
+  if (frames <= most && (frames <= long_enough || frames / most_per_seen <= seen)) return;
+  throw InputError(
+      fmt::format("{}: of the {} frames from {} to {} only {} show somebody, and all would be simulated; expected a recording "
+                  "without such holes (`frames` takes a part of it)",
+                  recording.meta().from.path, frames, first, last, seen));
+}
+
 }  // namespace
 
 Eigen::Array3d measurement_error(const Conditions& c) { return (c.sigma.square() + c.grid.step.square() / 12).sqrt(); }
@@ -175,6 +188,7 @@ Bounds parse_arena(const std::string& text, const Tracks& recording) {
 }
 
 Conditions make_conditions(const Tracks& recording, const ConditionOptions& options, std::int64_t warm_up) {
+  require_no_endless_hole(recording);
   Conditions c;
   c.options = options;
   c.metrics.velocity = options.velocity;

@@ -240,7 +240,8 @@ class Assembly {
     const bool moment = *std::min_element(time.begin(), time.end()) == *std::max_element(time.begin(), time.end());
     t0_ = table_.dt > 0 ? table_.t0 : moment ? time[0] - static_cast<double>(frame_[0]) * stated : 0;
     if (!moment)
-      note(fmt::format("{}; rows were put on the nearest frame of {:.6g} s, by up to {:.3g} s away", clock.problem, stated, worst));
+      note(fmt::format("{}; rows were put on the nearest frame of {:.6g} s, {}", clock.problem, stated,
+                       worst > 0 ? fmt::format("by up to {:.3g} s away", worst) : "where all of them lie"));
   }
 
   // Times that are resampled count as they stand: on a grid so fine that the nearest frame is the time itself.

@@ -83,7 +83,9 @@ void check_numbers(const RawTable& table) {
       if (std::isinf(value)) throw InputError(table.place(i) + ": the value is infinite; expected a finite number");
       if (column == FileColumn::t && std::isnan(value))
         throw InputError(table.place(i) + ": the time is missing; expected a time in every row");
-      if (column == FileColumn::frame && !(value == std::floor(value) && std::abs(value) < 9e15))
+      if (column == FileColumn::frame && std::abs(value) > 9e15)
+        throw InputError(fmt::format("{}: the frame number {} is too large; expected one up to 9e15", table.place(i), value));
+      if (column == FileColumn::frame && value != std::floor(value))
         throw InputError(fmt::format("{}: the frame number {} is not an integer; expected whole frames", table.place(i), value));
     }
   }

@@ -113,7 +113,8 @@ class RowReader {
     const long column = fields.column();
     const double value = read_number(fields, place);
     if (std::isnan(value)) place.fail(column, "the frame number is missing; expected an integer");
-    if (value != std::floor(value) || std::abs(value) > 9e15)
+    if (std::abs(value) > 9e15) place.fail(column, fmt::format("the frame number {} is too large; expected one up to 9e15", value));
+    if (value != std::floor(value))
       place.fail(column, fmt::format("the frame number {} is not an integer; expected whole frames (a time column is called t)", value));
     return value;
   }
@@ -178,8 +179,9 @@ class RowReader {
   }
 
   TimeUnit given_time_unit(const std::string& text) const {
-    const auto unit = time_unit(text);
-    if (!unit) throw InputError(fmt::format("`time-unit`: '{}' is not known; expected s, ms, us, ns, min, h or d", text));
+    const auto unit = scaled_time_unit(text);
+    if (!unit)
+      throw InputError(fmt::format("`time-unit`: '{}' is not known; expected s, ms, us, ns, min, h or d, or so many of them: 0.01s", text));
     if (map_.time != TimeUnit{} && map_.time != *unit)
       throw InputError(
           fmt::format("{}: the header states another unit of time than `time-unit` {}; expected the same or none given", name_, text));

@@ -122,6 +122,21 @@ std::string unit_of(const Layout& layout, const std::vector<std::string>& names,
   return unit;
 }
 
+// SLEAP leaves its column `track` empty where there is one animal, and always writes pixels.
+void settle_sleap(RawTable& table, const std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), "instance.score") == names.end()) return;
+  if (table.unit.empty()) table.unit = "px";
+  auto frames = table[FileColumn::frame];
+  const bool nobody = std::all_of(table.track.begin(), table.track.end(), [](auto track) { return track == RawTable::no_track; });
+  if (!nobody || frames.empty()) return;
+  std::sort(frames.begin(), frames.end());
+  if (std::adjacent_find(frames.begin(), frames.end()) != frames.end())
+    throw InputError(table.file +
+                     ": no row has a track, and frames have several: these are detections without identities; expected tracks");
+  std::fill(table.track.begin(), table.track.end(), table.names.number("1"));
+  table.notes.emplace_back("no row has a track, and no frame two rows: they are one individual");
+}
+
 RawTable read(const Source& source, const ReadOptions& options) {
   auto header = look_at_text(source.name, source.bytes, options);
   const auto place = fmt::format("{}:{}", source.name, header.names_line);
@@ -133,6 +148,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   name_poses(layout, identified, place, options);
   auto table = read_pose_rows(source, header, map, layout.poses, options);
   if (table.unit.empty()) table.unit = unit_of(layout, header.names, place);
+  settle_sleap(table, header.names);
   if (!identified && layout.poses.size() > 1 && options.node.empty())
     table.notes.push_back(fmt::format("every pair of columns x and y is one of {} individuals{}", layout.poses.size(),
                                       layout.repeated ? ", numbered from 1 in their order" : ""));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <cmath>
 
 namespace swarmfit {
 namespace {
@@ -30,6 +32,8 @@ struct Duration {
   std::string_view written;
   TimeUnit unit;
 };
+
+constexpr double kLeastFactor = 1e-9, kLargestFactor = 1e9;  // of a unit of time
 
 constexpr std::array kDurations = {
     Duration{"ns", {1, 1e9}},        Duration{"nsec", {1, 1e9}},        Duration{"nanosecond", {1, 1e9}},
@@ -95,6 +99,18 @@ std::optional<std::string> length_unit(std::string_view text) {
 std::optional<TimeUnit> time_unit(std::string_view text) {
   const auto hit = find(kDurations, text);
   return hit == kDurations.end() ? std::nullopt : std::optional(hit->unit);
+}
+
+std::optional<TimeUnit> scaled_time_unit(std::string_view text) {
+  double number = 1;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return time_unit(text);
+  const auto unit = time_unit(text.substr(static_cast<std::size_t>(rest - text.data())));
+  if (!unit || !(number >= kLeastFactor && number <= kLargestFactor)) return std::nullopt;
+  TimeUnit out = *unit;
+  const double inverse = 1 / number;  // 0.01 is no double, but 1 / 100 is one division
+  (inverse > 1 && inverse == std::round(inverse) ? out.per *= inverse : out.times *= number);
+  return out;
 }
 
 ColumnName column_name(std::string_view text) {

@@ -14,10 +14,12 @@ std::optional<std::string> length_unit(std::string_view text);
 // Seconds are value * times / per: "ms" → 1, 1000; "minutes" → 60, 1. Two whole numbers, because 1e-3 is no double.
 struct TimeUnit {
   double times = 1, per = 1;
-  double seconds(double value) const { return per == 1 ? value * times : value / per; }
+  double seconds(double value) const { return per == 1 ? value * times : value * times / per; }
   bool operator==(const TimeUnit&) const = default;
 };
 std::optional<TimeUnit> time_unit(std::string_view text);
+// The same with a number in front of it: "0.01s" → 1, 100; "40 ms" → 40, 1000.
+std::optional<TimeUnit> scaled_time_unit(std::string_view text);
 
 // A name of a column in parts.
 struct ColumnName {

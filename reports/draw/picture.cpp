@@ -160,7 +160,7 @@ std::string begin_picture(const std::string& title, bool bare) {
 }  // namespace
 
 std::string picture_svg(const Tracks& tracks, const std::string& title, const Scenery& scenery) {
-  if (tracks.rows() == 0) throw InputError("`picture`: nobody to draw; expected at least one individual");
+  if (tracks.rows() == 0) throw InputError("`picture`: no individuals to draw; expected at least one");
   const std::int64_t last = tracks.frames().back().number, first = tracks.frames().front().number;
   const std::vector<Tail> tails = tails_of(tracks, first, last);
   const double farthest = tails.front().head[2], depth = std::max(farthest - tails.back().head[2], 1e-9);

@@ -28,15 +28,12 @@ void remove_earlier_figures(const fs::path& dir) {
 }  // namespace
 
 void write_run(const std::string& dir, const Comparison& c) {
-  check_run_directory(dir);
+  // The mark first: whatever happens from here on, the next run may clean up after this one.
+  begin_run(dir, config_toml(c.run.command, c.run.config));
   const fs::path root = dir, tables = root / "tables", drawn = root / "figures";
   for (const fs::path& folder : {tables, drawn}) make_directory(folder.string());
   for (const fs::path& folder : {root, tables, drawn}) remove_torn(folder.string());
   const auto write = [](const fs::path& path, const std::string& text) { write_file_atomically(path.string(), text); };
-  // The mark first: whatever happens from here on, the next run may clean up after this one.
-  write(root / "config.toml", config_toml(c.run.command, c.run.config));
-  std::error_code no_such_file;
-  fs::remove(root / "results.json", no_such_file);
   for (const NamedTable& t : result_tables(c)) write(tables / t.name, t.csv);
   for (const PaperTable& t : paper_tables(c)) write_table(tables.string(), t);
   remove_earlier_figures(drawn);

@@ -214,7 +214,7 @@ std::string events_csv(const TrackMeta& meta, const Measured& measured) {
 
 void write_measured(const std::string& dir, const TrackMeta& meta, const Measured& measured, const Settings& settings,
                     const std::string& version) {
-  begin_study(dir, "measure", settings, "measure.json");
+  begin_study(dir, "measure", settings);
   make_directory(dir + "/figures");
   for (std::size_t k = 0; k < measured.groups.size(); ++k) write_group(dir, k, meta, measured.groups[k]);
   write_file_atomically(dir + "/tables/means.csv", means_csv(meta, measured));

@@ -79,7 +79,7 @@ std::string to_json(const ParameterRecovery& r, const Settings& conditions) {
 }
 
 void write_parameter_recovery(const std::string& dir, const ParameterRecovery& r, const Settings& settings, const std::string& version) {
-  begin_study(dir, "recover", settings, "recovery.json");
+  begin_study(dir, "recover", settings);
   write_table(dir + "/tables", coverage_table(r, "How often the 95 % interval contains the true value. " + coverage_band_text(r)));
   write_file_atomically(dir + "/tables/cases.csv", parameter_cases_csv(r));
   write_file_atomically(dir + "/report.html", parameter_recovery_html(r, settings, version));

@@ -107,7 +107,7 @@ std::string to_json(const Power& p, const Settings& settings) {
 }
 
 void write_power(const std::string& dir, const Power& p, const Settings& settings) {
-  begin_study(dir, "power", settings, "power.json");
+  begin_study(dir, "power", settings);
   const std::string tables = dir + "/tables";
   write_matrices(tables, p.recovery, settings);
   write_table(

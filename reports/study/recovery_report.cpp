@@ -120,7 +120,7 @@ void write_matrices(const std::string& dir, const Recovery& r, const Settings& s
 }
 
 void write_recovery(const std::string& dir, const Recovery& r, const Settings& settings, const std::string& version) {
-  begin_study(dir, "recover", settings, "recovery.json");
+  begin_study(dir, "recover", settings);
   write_matrices(dir + "/tables", r, settings);
   write_file_atomically(dir + "/tables/cases.csv", recovery_csv(r));
   write_file_atomically(dir + "/report.html", recovery_html(r, settings, version));

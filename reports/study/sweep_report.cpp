@@ -217,7 +217,7 @@ std::string runs_csv(const Sweep& s) {
 }
 
 void write_sweep(const std::string& dir, const Sweep& s, const Settings& settings, const std::string& version) {
-  begin_study(dir, "sweep", settings, "sweep.json");
+  begin_study(dir, "sweep", settings);
   make_directory(dir + "/figures");
   const auto figures = sweep_figures(s, unit_of(settings));
   for (const SweepFigure& figure : figures) write_file_atomically(dir + "/figures/" + figure.name + ".svg", figure.svg);

@@ -57,7 +57,8 @@ void begin_run(const std::string& dir, const std::string& config) {
   check_run_directory(dir);
   make_directory(dir);
   remove_torn(dir);
-  std::error_code no_such_file;  // results go first: a kill in between must not leave old ones beside new settings
+  // Results go first: a kill in between must not leave old ones beside new settings.
+  std::error_code no_such_file;
   for (const char* result : kResults) fs::remove(fs::path(dir) / result, no_such_file);
   write_file_atomically(dir + "/config.toml", config);
 }
@@ -85,12 +86,9 @@ std::string config_toml(const std::string& command, const Settings& settings) {
   return out;
 }
 
-void begin_study(const std::string& dir, const std::string& command, const Settings& settings, const std::string& result) {
-  check_run_directory(dir);
+void begin_study(const std::string& dir, const std::string& command, const Settings& settings) {
+  begin_run(dir, config_toml(command, settings));
   make_directory(dir + "/tables");
-  std::error_code no_such_file;
-  std::filesystem::remove(dir + '/' + result, no_such_file);
-  write_file_atomically(dir + "/config.toml", config_toml(command, settings));
 }
 
 }  // namespace swarmfit

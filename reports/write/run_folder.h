@@ -25,9 +25,8 @@ void require_finished_run(const std::string& dir);
 using Settings = std::vector<std::pair<std::string, std::string>>;
 std::string config_toml(const std::string& command, const Settings& settings);
 
-// The folder of a study that computes first and writes then: config.toml, tables/, and no earlier file of the name `result`, which is to be
-// written last. Throws as begin_run.
-void begin_study(const std::string& dir, const std::string& command, const Settings& settings, const std::string& result);
+// The folder of a study that computes first and writes then: config.toml, tables/, and no results of an earlier run. Throws as begin_run.
+void begin_study(const std::string& dir, const std::string& command, const Settings& settings);
 
 // Removes what a kill left in `dir` of files that were being written.
 void remove_torn(const std::string& dir);

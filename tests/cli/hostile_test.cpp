@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Input that nobody should give and circumstances that nobody wants: still one line and the right exit code.
+#include <fmt/format.h>
+
 #include <csignal>
 
 #include "cli/setting.h"
@@ -181,6 +183,19 @@ TEST_F(Hostile, FramesFarApartAreAGap) {
   EXPECT_EQ(run("describe far.csv --fps 25 --unit m").code, 0);
   EXPECT_EQ(run("convert far.csv --fps 25 --unit m --stride 2 -o near.csv").code, 0);
   expect_refused("describe far.csv --fps 25 --unit m --resample 1e9", "--resample 1e+09: that makes more than");
+  // Everybody would be simulated through the hole.
+  for (const char* hole : {"1000000", "1000000000", "8999999999999990"}) {
+    std::string rows = "id,frame,x,y\n";
+    for (const char* id : {"a", "b"})
+      for (int f = 0; f < 6; ++f)
+        rows += fmt::format("{},{},{},{}\n{},{},{},{}\n", id, f, f * f, id[0] - 'a', id, std::stoll(hole) + f, f * f, id[0] - 'a');
+    write("hole.csv", rows);
+    for (const char* presence : {"recorded", "constant"})
+      expect_refused(
+          fmt::format("fit hole.csv --fps 25 --unit m -m brownian --presence {} -q -o hole", presence),
+          "only 12 show somebody, and all would be simulated; expected a recording without such holes (--frames takes a part of it)");
+    EXPECT_EQ(run("describe hole.csv --fps 25 --unit m").code, 0);
+  }
   write("late.csv", "id,t,x,y\na,1,0,0\na,2,1,0\na,3,1,0\na,1e30,1,0\n");
   expect_refused("describe late.csv --unit m --time-unit s", "more frames than can be counted");
 }

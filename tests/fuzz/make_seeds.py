@@ -108,6 +108,35 @@ def mat_seeds():
     return {"table": mat5(table), "packed": mat5(table, compressed=True), "trx": mat5(trx), "drives": mat5(*drives)}
 
 
+# ---- C3D, by the user guide of Motion Lab Systems ---------------------------------------------------------------------------------
+
+
+def c3d(order, machine, floating, labels):
+    """Two points, four frames; the second one is not seen in the second frame. `order` of bytes, '<' or '>'."""
+    real = lambda v: dec(v) if machine == 85 else struct.pack(order + "f", v)
+    short = lambda *v: struct.pack(f"{order}{len(v)}h", *v)
+
+    def dec(v):
+        word = struct.unpack("<2H", struct.pack("<f", v * 4))
+        return struct.pack("<2H", word[1], word[0]) if v else b"\0" * 4
+
+    def record(number, name, body, last=False):
+        return struct.pack("bb", len(name), number) + name.encode() + short(0 if last else len(body) + 2) + body
+
+    scale = -1.0 if floating else 0.5
+    values = [("USED", b"\2\0" + short(2)), ("SCALE", b"\4\0" + real(scale)), ("RATE", b"\4\0" + real(50.0)), ("FRAMES", b"\2\0" + short(4)),
+              ("UNITS", b"\xff\1\2mm"), ("LABELS", b"\xff\2\6\2" + b"".join(n.ljust(6).encode() for n in labels))]
+    section = record(-1, "POINT", b"\0") + b"".join(record(1, name, body + b"\0", name == "LABELS") for name, body in values)
+    section = (bytes([1, 0x50, 1, machine]) + section).ljust(512, b"\0")
+    header = (bytes([2, 0x50]) + short(2, 0, 1, 4, 10) + real(scale) + short(3, 0) + real(50.0)).ljust(512, b"\0")
+    frames = b""
+    for frame in range(4):
+        for k in range(2):
+            unseen = k == 1 and frame == 1
+            frames += b"".join(map(real, (frame / 2, k + 1, 3, -1 if unseen else 0))) if floating else short(frame, 2 * k + 2, 6, -1 if unseen else 0)
+    return header + section + frames
+
+
 # ---- HDF5 layouts -----------------------------------------------------------------------------------------------------------------
 
 
@@ -273,6 +302,8 @@ def readers():
     keypoints = csv("frame,individual,keypoint,x,y,confidence", lambda f, k, x, y: f"{f},{k},nose,{x},{y},0.9")
     all = {
         "mat": mat_seeds(),
+        "c3d": {"intel": c3d("<", 84, True, ["a", "b"]), "dec": c3d("<", 85, True, ["a", "b"]), "mips": c3d(">", 86, True, ["a:nose", "a:tail"]),
+                "integers": c3d("<", 84, False, ["a", ""])},
         "swarmfit-h5": {"own": hdf5(own)}, "idtracker": {"h5": hdf5(idtracker)}, "sleap": {"h5": hdf5(sleap)}, "slp": {"slp": hdf5(slp)},
         "pedestrian-h5": {"h5": hdf5(pedestrian)}, "deeplabcut-h5": {"h5": hdf5(deeplabcut)}, "nwb": {"nwb": hdf5(nwb)},
         "hdf5": {"h5": hdf5(columns)},
@@ -301,6 +332,8 @@ def readers():
                                  *[f'{f},{"true" if f else "false"},2020-01-01 00:00:0{f}.000,8.1,47.{2 + f},"a"' for f in range(4)])},
         "idtracker-csv": {"csv": csv("seconds,x1,y1,x2,y2", lambda f, k, x, y: f"{f / 25},{x},{y},{x},{y}")},
         "animalta": {"csv": text("Frame;Time;Arena;Ind;X;Y", *[f"{f};{f / 25};0;{k};{f};{k}" for f in range(4) for k in range(2)])},
+        "toxtrac": {"real": text("Time (sec)\tArena\tTrack\tPos. X (mm)\tPos. Y (mm)\tLabel", *[f"{f / 25}\t1\t{k + 1}\t{f}\t{k}\t{f % 4}" for k in range(2) for f in range(6)]),
+                    "pixels": text(*[f"{f}\t0\t{k + 1}\t{f}\t{k}\t1" for k in range(2) for f in range(4)])},
         "petrack": {"txt": text("# PeTrack version: 0.9", "# framerate: 25 fps", "# id frame x/m y/m z/m", *[f"{k + 1} {f} {f} {k} 1.7" for k in range(2) for f in range(4)])},
         "mot": {"txt": text(*[f"{f + 1},{k + 1},{10 * f},20,5,6,1,-1,-1,-1" for f in range(4) for k in range(2)])},
         "keypoints": {"csv": keypoints},

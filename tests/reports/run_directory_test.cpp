@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "reports/run/run_directory.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <set>
 
 #include "libtrack/error.h"
@@ -43,6 +46,22 @@ class RunDirectory : public testing::Test {
 
   fs::path root_;
 };
+
+// config.toml cannot be written because its temporary name is taken: what a kill at that moment leaves.
+TEST_F(RunDirectory, OldResultsAreGoneBeforeTheSettingsChange) {
+  const Comparison c = sample_comparison();
+  const auto obstacle = dir() + fmt::format("/config.toml.{}.part", getpid());
+  const auto interrupted = [&](const std::function<void()>& begin) {
+    write_run(dir(), c);
+    fs::create_directories(obstacle + "/full");
+    EXPECT_THROW(begin(), RunError);
+    EXPECT_FALSE(fs::exists(dir() + "/results.json"));
+    fs::remove_all(dir());
+  };
+  interrupted([&] { write_run(dir(), c); });
+  interrupted([&] { begin_run(dir(), "# A run of swarmfit\n"); });
+  interrupted([&] { begin_study(dir(), "power", {}); });
+}
 
 TEST_F(RunDirectory, HoldsEverythingAndNoLeftovers) {
   const Comparison c = sample_comparison();

@@ -42,6 +42,16 @@ TEST(PoseText, SleapPointAndMean) {
   EXPECT_THAT(column(read(kSleap, pixels("mean")), 0), ElementsAre(2, 6, 2, 7));
 }
 
+TEST(PoseText, SleapNeedsNoUnitAndNoTrackOfOneAnimal) {
+  const std::string head = "track,frame_idx,instance.score,A.x,A.y,A.score\n";
+  const auto tracks = read(head + ",0,nan,1,10,0.9\n,1,nan,2,10,0.9\n", {.fps = 25});
+  EXPECT_EQ(tracks.meta().unit, "px");
+  EXPECT_THAT(tracks.names(), ElementsAre("1"));
+  EXPECT_THAT(column(tracks, 0), ElementsAre(1, 2));
+  EXPECT_EQ(error_of(head + ",0,nan,1,10,0.9\n,0,nan,2,10,0.9\n", {.fps = 25}),
+            "f.csv: no row has a track, and frames have several: these are detections without identities; expected tracks");
+}
+
 TEST(PoseText, RowNumbersAreNoIndividualsHereEither) {
   const auto tracks =
       read("id,track,frame,nose.x,nose.y,tail.x,tail.y\n1,a,0,1,2,3,4\n2,b,0,1,2,3,4\n3,a,1,1,2,3,4\n4,b,1,1,2,3,4\n", pixels("nose"));

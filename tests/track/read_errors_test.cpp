@@ -63,7 +63,7 @@ std::vector<Fault> faults() {
        "f.csv:2: the time 1600000000000 is too large for seconds, it may be milliseconds since 1970; expected `time-unit`, such as "
        "`time-unit` ms"},
       {"`time-unit`", "id,t,x,y\n1,1,1,2\n", with([](auto& o) { o.time_unit = "weeks"; }),
-       "`time-unit`: 'weeks' is not known; expected s, ms, us, ns, min, h or d"},
+       "`time-unit`: 'weeks' is not known; expected s, ms, us, ns, min, h or d, or so many of them: 0.01s"},
       {"days", "id,t,x,y\n1,44197.5,1,2\n1,44197.5000005,1,2\n1,44197.500001,1,2\n", flags(),
        "f.csv:2: the time 44197.5 and steps of 5e-07 look like days, not seconds; expected `time-unit`, that is `time-unit` d or s"},
       {"end of summer time", "id,t,x,y\n1,02:59:58,1,2\n1,02:59:59,1,2\n1,02:00:00,1,2\n1,02:00:01,1,2\n", flags(),

@@ -62,6 +62,18 @@ TEST(ReadRightly, TimeUnitByFlag) {
   EXPECT_NEAR(read(text, {.unit = "m", .time_unit = "ms"}).dt(), 0.04, 1e-9);
 }
 
+TEST(ReadRightly, TimeUnitsThatAreMultiples) {
+  const auto dt = [&](int step, const std::string& unit) {
+    const std::string table = fmt::format("t,x,y\n{},1,2\n{},1,3\n{},1,2\n", 1747200, 1747200 + step, 1747200 + 2 * step);
+    return read(table, {.unit = "m", .time_unit = unit}).dt();
+  };
+  EXPECT_DOUBLE_EQ(dt(20, "0.01s"), 0.2);
+  EXPECT_DOUBLE_EQ(dt(20, "10 ms"), 0.2);
+  EXPECT_DOUBLE_EQ(dt(1, "0.5 min"), 30);
+  EXPECT_DOUBLE_EQ(dt(1, "1e-3 s"), 0.001);
+  for (const auto* wrong : {"0s", "-1s", "infs", "nans", "1e300s", "5", "5 mm"}) EXPECT_FALSE(scaled_time_unit(wrong)) << wrong;
+}
+
 TEST(ReadRightly, DaysByFlag) {
   const std::string text = "id,t,x,y\n1,44197.5,1,2\n1,44197.50001,1,2\n1,44197.50002,1,2\n";
   EXPECT_NEAR(read(text, {.unit = "m", .time_unit = "d"}).dt(), 0.864, 1e-5);

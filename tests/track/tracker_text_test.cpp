@@ -235,5 +235,34 @@ TEST(Join, Faults) {
   EXPECT_THAT(error_in(folder.path(), options), HasSubstr("there are files of several endings, .csv and .txt; expected a pattern such as"));
 }
 
+const std::string kRealSpace =
+    "Time (sec)\tArena\tTrack\tPos. X (mm)\tPos. Y (mm)\tLabel\n"
+    "0\t1\t1\t1\t5\t1\n0.04\t1\t1\t2\t5\t0\n0.08\t1\t1\t3\t5\t2\n0.12\t1\t1\t4\t5\t1\n"
+    "0\t2\t1\t7\t6\t1\n0.04\t2\t1\t8\t6\t3\n0.08\t2\t1\t9\t6\t1\n0.12\t2\t1\t9\t7\t1\n";
+
+TEST(ToxTrac, RealSpace) {
+  const auto tracks = read(kRealSpace);
+  EXPECT_EQ(tracks.meta().from.format, "toxtrac");
+  EXPECT_THAT(tracks.names(), ElementsAre("Arena1_Track1", "Arena2_Track1"));
+  EXPECT_EQ(tracks.meta().unit, "mm");
+  EXPECT_DOUBLE_EQ(tracks.dt(), 0.04);
+  EXPECT_THAT(column(tracks, 0), ElementsAre(1, 7, 3, 9, 4, 9)) << "predicted and mirrored positions are not seen";
+  EXPECT_THAT(tracks.meta().from.notes,
+              testing::IsSupersetOf({testing::Eq("1 predicted and 1 mirrored positions were left out: the animal was not seen there"),
+                                     testing::Eq("1 positions are of occluded animals"),
+                                     testing::Eq("there are 2 arenas, whose animals do not meet (--tracks takes those of one)")}));
+}
+
+TEST(ToxTrac, PixelsByTheNameOfTheFile) {
+  const std::string text = "360\t0\t1\t224.634\t32.2103\t1\n361\t0\t1\t225.131\t32.2103\t1\n362\t0\t1\t226.737\t32.2103\t1\n";
+  const auto tracks = read_tracks_bytes("run/Tracking_0.txt", text, at_25_hertz());
+  EXPECT_EQ(tracks.meta().from.format, "toxtrac");
+  EXPECT_EQ(tracks.meta().unit, "px");
+  EXPECT_THAT(tracks.names(), ElementsAre("Arena0_Track1"));
+  EXPECT_THAT(tracks.frame(), ElementsAre(360, 361, 362));
+  EXPECT_THAT(error_of(text, {.fps = 25, .unit = "px"}), HasSubstr("expected")) << "six numbers in a file of any name";
+  EXPECT_THAT(error_of("1\t2\t3\n", {.format = "toxtrac"}), HasSubstr("3 columns; expected those of ToxTrac"));
+}
+
 }  // namespace
 }  // namespace swarmfit
