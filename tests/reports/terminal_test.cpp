@@ -15,6 +15,7 @@
 namespace swarmfit {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -173,8 +174,7 @@ TEST(EvaluationText, ShowsBothSides) {
   e.simulated_distribution = c.models[0].runs.distributions;
   const std::string text = evaluation_text(e, {});
   EXPECT_THAT(text, HasSubstr("jerk"));
-  EXPECT_THAT(text, testing::ContainsRegex("\n recording +[▁▂▃▄▅▆▇█]+  "));
-  EXPECT_THAT(text, testing::ContainsRegex("\n simulation +[▁▂▃▄▅▆▇█]+  "));
+  EXPECT_THAT(text, AllOf(HasSubstr("\n distribution "), HasSubstr("\n simulation "), HasSubstr("█")));
   EXPECT_TRUE(is_ascii(evaluation_text(e, {.colour = false, .unicode = false})));
   e.binning.normalisation = Normalisation::separate;
   EXPECT_THAT(evaluation_text(e, {}), HasSubstr("standardised by itself")) << "where a set lies is not shown";
