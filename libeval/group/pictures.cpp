@@ -210,6 +210,7 @@ Pictures pictures(const Tracks& tracks, const PictureGrid& grid) {
   });
   collector.put(out);
   course.put(out);
+  if (grid.plan.msd_lags.empty()) return out;  // too short for any delay
   Panel lagged = panel(tracks, grid.plan);
   out.vacf = std::move(lagged.vacf);
   const std::size_t first = static_cast<std::size_t>(grid.dims) + 2;  // in items(): after the extents, the speed and the zero

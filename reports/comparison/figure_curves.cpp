@@ -62,7 +62,8 @@ void draw(svg::Sheet& sheet, const svg::Box& box, const Comparison& c, const Wan
   const auto [low, high] = c.models.empty() ? std::pair<plot::Curve, plot::Curve>() : band_of(w, c.models.front().likeness.pictures);
   for (const plot::Curve* edge : {&low, &high})
     for (const svg::Point& p : *edge) up.include(p.y);
-  const double room = 0.05 * (up.upper - up.lower);
+  // What hardly varies must not fill the panel with its rounding.
+  const double room = std::max(0.05 * (up.upper - up.lower), 1e-3 * std::max(std::abs(up.lower), std::abs(up.upper)));
   const plot::Axis x =
       w.logarithmic ? plot::logarithmic(across.lower, across.upper) : plot::linear(across.lower, across.upper, {5, box.width, false});
   const plot::Axis y = w.logarithmic ? plot::logarithmic(up.lower, up.upper) : plot::linear(up.lower - room, up.upper + room, {4, 0, true});

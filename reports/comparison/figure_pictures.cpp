@@ -52,8 +52,8 @@ Grid grid_at(const svg::Sheet& sheet, double top, std::size_t count) {
 std::string short_name(const std::string& name, double width) {
   std::string out = name;
   for (std::size_t keep = name.size(); keep > 1 && svg::plain(out).width > width;) {
-    do --keep;
-    while (keep > 1 && (static_cast<unsigned char>(name[keep]) & 0xC0U) == 0x80U);
+    --keep;
+    while (keep > 1 && (static_cast<unsigned char>(name[keep]) & 0xC0U) == 0x80U) --keep;  // not within a character
     out = name.substr(0, keep) + "…";
   }
   return out;

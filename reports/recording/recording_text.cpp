@@ -59,7 +59,7 @@ std::string evaluation_text(const Evaluation& e, TextStyle style) {
   const TextTable t = TextTable(rows, {l, l, r, r, r, r, r, l}, true, style), order = TextTable(order_rows(e), {l, r, r}, true, style);
   const auto source = [](const TrackMeta& meta) { return printable(meta.from.path) + (meta.from.synthetic ? " (synthetic)" : ""); };
   std::string out = fmt::format("recording   {}\nsimulation  {}\n\n", source(e.real), source(e.simulated));
-  out += t.text() + '\n';
+  out += t.folded() + '\n';
   const Shapes shapes{
       {{"recording", &e.real_distribution}, {"simulation", &e.simulated_distribution}}, e.columns, e.axis_lower, e.axis_width, e.real.unit};
   for (std::size_t first = 0; style.unicode && first < e.columns.size(); first += first == 0 ? kMetrics : kMotionMetrics)

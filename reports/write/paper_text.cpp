@@ -81,11 +81,10 @@ const Pair* find(const std::array<Pair, N>& table, std::string_view text) {
 
 bool word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-// Bytes of a symbol with a subscript, "τ_v" or "r_rep", that begins here; 0: there is none, or it is the end of a word ("chi_rep").
+// Bytes of a Greek symbol with a subscript, "τ_v", that begins here; 0: there is none. Latin ones look like names, and stay text.
 std::size_t subscripted(std::string_view before, std::string_view text) {
   const Pair* greek = find(kCommands, text);
-  const bool letter = !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0;
-  const std::size_t base = greek != nullptr && greek->first.size() == 2 && greek->second.starts_with("$\\") ? 2 : letter ? 1 : 0;
+  const std::size_t base = greek != nullptr && greek->first.size() == 2 && greek->second.starts_with("$\\") ? 2 : 0;
   if (base == 0 || text.size() < base + 2 || text[base] != '_' || (!before.empty() && (word(before.back()) || before.back() == '_')))
     return 0;
   std::size_t end = base + 1;
@@ -93,7 +92,7 @@ std::size_t subscripted(std::string_view before, std::string_view text) {
   return end == base + 1 || (end < text.size() && text[end] == '_') ? 0 : end;
 }
 
-// "$\tau_{v}$", "$r_{\mathrm{rep}}$"
+// "$\tau_{v}$", "$\chi_{\mathrm{rep}}$"
 std::string math_of(std::string_view symbol) {
   const std::size_t at = symbol.find('_');
   std::string base(symbol.substr(0, at));

@@ -51,7 +51,7 @@ std::string wrapped(std::string_view text, std::size_t width, std::string_view i
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
     const std::string_view word = text.substr(0, end);
-    const std::size_t room = display_width(word);
+    const std::size_t room = display_width(ascii(word));  // as wide as it may become
     if (column > 0 && column + 1 + room > width) {
       out.append("\n").append(indent);
       column = display_width(indent);
@@ -67,7 +67,7 @@ std::string wrapped(std::string_view text, std::size_t width, std::string_view i
 }
 
 std::string ascii(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kSpelled = {{{"±", "+-"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kSpelled = {{{"±", "+-"},
                                                                                        {"≤", "<="},
                                                                                        {"–", "-"},
                                                                                        {"—", "-"},
@@ -82,6 +82,8 @@ std::string ascii(std::string_view text) {
                                                                                        {"η", "eta"},
                                                                                        {"σ", "sigma"},
                                                                                        {"\u202f", " "},
+                                                                                       {"→", "->"},
+                                                                                       {"−", "-"},
                                                                                        {"▲", "!"}}};
   std::string out(text);
   for (const auto& [from, to] : kSpelled) replace_all(out, from, to);

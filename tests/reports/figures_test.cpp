@@ -234,6 +234,15 @@ TEST(Pictures, PosteriorOfEveryModelThatHasOne) {
   EXPECT_THAT(f.caption, HasSubstr("Posterior of bswarm"));
 }
 
+// A group that never changes has no ticks to fill a page with.
+TEST(Pictures, WhatDoesNotVaryIsDrawn) {
+  Comparison c = with_pictures();
+  c.models.clear();
+  std::vector<double>& p = c.recording.pictures.recording.polarisation;
+  for (std::size_t k = 0; k < p.size(); ++k) p[k] = k % 2 == 0 ? 1 : std::nextafter(1, 2);
+  EXPECT_LT(parts::order(c).svg.size(), 200'000u);
+}
+
 TEST(Pictures, TableHasARowPerValue) {
   const std::string csv = pictures_csv(with_pictures());
   EXPECT_THAT(csv, testing::StartsWith("picture,model,x,y,value,sd\nneighbour_density,recording,"));

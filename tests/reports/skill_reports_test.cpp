@@ -107,12 +107,12 @@ TEST(SkillReports, TheRandomWalkStandsBesideTheModels) {
   Comparison c = sample_comparison();
   const auto legend = [&] { return ranking_text(c, {}, Detail::all); };
   EXPECT_THAT(legend(), HasSubstr("\n       random walk                                            0.00\n"));
-  EXPECT_THAT(legend(), HasSubstr("0 = no better than a\n random walk of its own steps (for d and η: its tracks shifted in time)."));
+  EXPECT_THAT(legend(), HasSubstr("0 = no better than a random\n walk of its own steps (for d and η: its tracks shifted in time)."));
   EXPECT_THAT(report_html(c), HasSubstr("0.00 ± 0.00"));
   c.recording.skill.null_of = SkillNull::places;
   c.recording.skill.walker = {0.98, 0.01};
   EXPECT_THAT(legend(), HasSubstr("random walk                                            0.98\n"));
-  EXPECT_THAT(legend(), HasSubstr("0 = no better than its\n own positions in random order."));
+  EXPECT_THAT(legend(), HasSubstr("0 = no better than its own\n positions in random order."));
   const auto page = report_html(c);
   EXPECT_THAT(page, HasSubstr("0.98 ± 0.01"));
   EXPECT_THAT(page, HasSubstr("its positions in random order (null)"));

@@ -15,6 +15,7 @@
 namespace swarmfit {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -134,7 +135,7 @@ TEST(DescribeText, SaysWhatIsThereAndWhatIsSuspicious) {
   meta.from.path = "swarm.txt";
   const std::string text = describe_text(meta, s, {});
   EXPECT_THAT(text, HasSubstr("100 Hz"));
-  EXPECT_THAT(text, HasSubstr("78 % of"));
+  EXPECT_THAT(text, HasSubstr("Measurement error:"));
   EXPECT_THAT(text, HasSubstr("identity jump: 2 steps are longer than 20 median steps (track 12, frame 340)"));
   EXPECT_THAT(text, Not(HasSubstr("nan")));
   EXPECT_TRUE(is_ascii(describe_text(meta, s, {.colour = false, .unicode = false})));
@@ -172,8 +173,7 @@ TEST(EvaluationText, ShowsBothSides) {
   e.simulated_distribution = c.models[0].runs.distributions;
   const std::string text = evaluation_text(e, {});
   EXPECT_THAT(text, HasSubstr("jerk"));
-  EXPECT_THAT(text, HasSubstr("\n recording     ▄▇██▆▄▂▂▁▁  ▅██▆"));
-  EXPECT_THAT(text, HasSubstr("\n simulation    ▃▇██▆▄▃▂▁▁  ▅██▇"));
+  EXPECT_THAT(text, AllOf(HasSubstr("\n distribution "), HasSubstr("\n simulation "), HasSubstr("█")));
   EXPECT_TRUE(is_ascii(evaluation_text(e, {.colour = false, .unicode = false})));
   e.binning.normalisation = Normalisation::separate;
   EXPECT_THAT(evaluation_text(e, {}), HasSubstr("standardised by itself")) << "where a set lies is not shown";

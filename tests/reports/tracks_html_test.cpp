@@ -36,7 +36,7 @@ TEST(TracksPage, ShowsARecordingByItself) {
   EXPECT_THAT(page, HasSubstr("class=\"player\""));
   EXPECT_THAT(page, HasSubstr("<canvas id=\"pdf-eta\""));
   EXPECT_THAT(page, HasSubstr("rms radius of the group"));
-  EXPECT_THAT(page, HasSubstr("Localisation error:"));
+  EXPECT_THAT(page, HasSubstr("Measurement error:"));
   EXPECT_THAT(page, HasSubstr("<code>swarmfit describe swarm.txt --html page.html</code>"));
   EXPECT_THAT(page, HasSubstr("Made by swarmfit 1.2.3."));
   EXPECT_THAT(page, Not(HasSubstr("id=\"model\"")));
