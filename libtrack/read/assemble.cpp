@@ -85,9 +85,12 @@ class Assembly {
 
   // What the file says of itself: usable numbers, a unit of one word or several.
   void check_stated() {
-    if (!(table_.dt == 0 || (table_.dt > 0 && std::isfinite(table_.dt) && std::isfinite(1 / table_.dt))) || !std::isfinite(table_.t0))
-      fail(fmt::format("the file states a frame interval of {:g} s and {:g} s for frame 0; expected finite numbers, the first above 0",
-                       table_.dt, table_.t0));
+    constexpr double shortest = 1e-9, longest = 1e9;  // as `fps` may say
+    if (!(table_.dt == 0 || (table_.dt >= shortest && table_.dt <= longest)) || !std::isfinite(table_.t0))
+      fail(
+          fmt::format("the file states a frame interval of {:g} s and {:g} s for frame 0; expected finite numbers, the first from {:g} "
+                      "to {:g}",
+                      table_.dt, table_.t0, shortest, longest));
     table_.unit = plain_name(table_.unit);
   }
 
