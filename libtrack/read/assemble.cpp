@@ -278,11 +278,11 @@ class Assembly {
     }
   }
 
-  // An id that is new in every row numbers rows.
+  // An id that is new in every row numbers rows, unless the file is one that knows its frames, as what `convert` writes does.
   void check_individuals() {
     const auto [low, high] = std::minmax_element(frame_.begin(), frame_.end());
     if (names_.size() < 3 || names_.size() < order_.size() || *low == *high) return;
-    if (options_.columns.empty())
+    if (options_.columns.empty() && !(table_.dt > 0))
       fail("the id is new in every row, so it numbers rows and not individuals; expected `columns` to name the individual (id=NAME,...)");
     note("the id is new in every row: nobody is seen twice");
   }
