@@ -100,8 +100,9 @@ class Assembly {
     std::set<std::string> taken;
     std::size_t odd = 0;
     for (const auto& name : table_.names.names()) {
-      const auto plain = plain_name(name);
+      auto plain = plain_name(name);
       odd += plain != name;
+      if (plain.empty()) plain = "unnamed";  // no text could tell it from a missing one
       out.push_back(plain);
       for (int k = 2; !taken.insert(out.back()).second; ++k) out.back() = fmt::format("{}-{}", plain, k);
     }

@@ -118,6 +118,7 @@ TEST(C3d, NamesThatAreMissingOrComeAgain) {
   EXPECT_THAT(read(Made{.labels = {"", ""}}.bytes()).names(), ElementsAre("point 1", "point 2"));
   EXPECT_THAT(read(Made{.labels = {"a"}}.bytes()).names(), ElementsAre("a", "point 2"));
   EXPECT_THAT(read(Made{.labels = {"a", "a"}}.bytes()).names(), ElementsAre("a", "a-2"));
+  EXPECT_THAT(read(Made{.labels = {"\t", "\n"}}.bytes()).names(), ElementsAre("\\x0a", "unnamed"));
 }
 
 TEST(C3d, RatesBeyondAllSenseAreRefused) {
