@@ -85,7 +85,7 @@ class Assembly {
 
   // What the file says of itself: usable numbers, a unit of one word or several.
   void check_stated() {
-    constexpr double shortest = 1e-9, longest = 1e9;  // as `fps` may say
+    constexpr double shortest = 1e-30, longest = 1e30;  // wider than any interval that times can have
     if (!(table_.dt == 0 || (table_.dt >= shortest && table_.dt <= longest)) || !std::isfinite(table_.t0))
       fail(
           fmt::format("the file states a frame interval of {:g} s and {:g} s for frame 0; expected finite numbers, the first from {:g} "
