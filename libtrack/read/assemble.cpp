@@ -85,9 +85,12 @@ class Assembly {
 
   // What the file says of itself: usable numbers, a unit of one word or several.
   void check_stated() {
-    if (!(table_.dt == 0 || (table_.dt > 0 && std::isfinite(table_.dt) && std::isfinite(1 / table_.dt))) || !std::isfinite(table_.t0))
-      fail(fmt::format("the file states a frame interval of {:g} s and {:g} s for frame 0; expected finite numbers, the first above 0",
-                       table_.dt, table_.t0));
+    constexpr double shortest = 1e-30, longest = 1e30;  // wider than any interval that times can have
+    if (!(table_.dt == 0 || (table_.dt >= shortest && table_.dt <= longest)) || !std::isfinite(table_.t0))
+      fail(
+          fmt::format("the file states a frame interval of {:g} s and {:g} s for frame 0; expected finite numbers, the first from {:g} "
+                      "to {:g}",
+                      table_.dt, table_.t0, shortest, longest));
     table_.unit = plain_name(table_.unit);
   }
 
@@ -97,8 +100,9 @@ class Assembly {
     std::set<std::string> taken;
     std::size_t odd = 0;
     for (const auto& name : table_.names.names()) {
-      const auto plain = plain_name(name);
+      auto plain = plain_name(name);
       odd += plain != name;
+      if (plain.empty()) plain = "unnamed";  // no text could tell it from a missing one
       out.push_back(plain);
       for (int k = 2; !taken.insert(out.back()).second; ++k) out.back() = fmt::format("{}-{}", plain, k);
     }
@@ -275,11 +279,11 @@ class Assembly {
     }
   }
 
-  // An id that is new in every row numbers rows.
+  // An id that is new in every row numbers rows, unless the file is one that knows its frames, as what `convert` writes does.
   void check_individuals() {
     const auto [low, high] = std::minmax_element(frame_.begin(), frame_.end());
     if (names_.size() < 3 || names_.size() < order_.size() || *low == *high) return;
-    if (options_.columns.empty())
+    if (options_.columns.empty() && !(table_.dt > 0))
       fail("the id is new in every row, so it numbers rows and not individuals; expected `columns` to name the individual (id=NAME,...)");
     note("the id is new in every row: no individual is seen twice");
   }

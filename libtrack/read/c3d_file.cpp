@@ -33,6 +33,8 @@ std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
+int signed_byte(std::size_t byte) { return byte < 0x80 ? static_cast<int>(byte) : static_cast<int>(byte) - 0x100; }
+
 // A VAX F float: the first word holds sign, exponent and the high bits, and the leading bit of the fraction stands for 1/2.
 double dec_float(std::uint32_t high, std::uint32_t low) {
   const std::uint32_t sign = high >> 15, exponent = (high >> 7) & 0xFF, fraction = (high & 0x7F) << 16 | low;
@@ -100,7 +102,7 @@ void C3dFile::read_parameters(std::size_t start) {
   std::map<int, std::string> groups;
   std::vector<std::pair<int, Named>> found;
   for (std::size_t at = start + 4; at + 4 <= end;) {
-    const int stated = static_cast<std::int8_t>(byte(at)), group = static_cast<std::int8_t>(byte(at + 1));
+    const int stated = signed_byte(byte(at)), group = signed_byte(byte(at + 1));
     const auto length = static_cast<std::size_t>(std::abs(stated));  // negative: locked
     if (length == 0 || group == 0) break;
     const std::size_t offset_at = at + 2 + length;

@@ -32,7 +32,8 @@ class RowReader {
         header_line_(header.lines_before),
         numbers_(header.delimiter, options.decimal),
         options_(options),
-        cells_(cells) {
+        cells_(cells),
+        certain_(header.dt > 0 && map.has(FileColumn::frame)) {
     table_.file = name;
     if (!map.has(FileColumn::id)) one_track_ = table_.names.number(std::uint32_t{1});
     has_date_ = map.has(FileColumn::date);
@@ -174,7 +175,10 @@ class RowReader {
   void in_seconds() {
     TimeUnit unit = map_.time;
     if (!options_.time_unit.empty()) unit = given_time_unit(options_.time_unit);
-    if (unit == TimeUnit{} && options_.time_unit.empty()) return refuse_other_units(table_);
+    if (unit == TimeUnit{} && options_.time_unit.empty()) {
+      if (!certain_) refuse_other_units(table_);
+      return;
+    }
     for (double& value : table_[FileColumn::t]) value = unit.seconds(value);
   }
 
@@ -222,6 +226,7 @@ class RowReader {
   Numbers numbers_;
   const ReadOptions& options_;
   Cells* const cells_;
+  const bool certain_;  // the header tells the frame interval, and rows their frames: times are in seconds, however large
   double date_ = 0, month_first_date_ = 0, month_first_time_ = 0, clock_time_ = 0;
   std::vector<double> month_first_;
   bool has_date_ = false, clock_ = false, dated_ = false, two_readings_ = false, seconds_ = false;

@@ -23,6 +23,7 @@ struct Made {
   bool floating = true;
   std::vector<std::string> labels = {"left", "right"};
   std::string unit = "mm";
+  float rate = 50;
   int analog = 0, points = 2;
 
   std::string word(int value) const {
@@ -48,7 +49,7 @@ struct Made {
     out += record(-1, "POINT", std::string(1, '\0'));
     const auto none = std::string(1, '\0');
     out += record(1, "SCALE", std::string{4, 0} + real(floating ? -1.0F : 0.25F) + none);
-    out += record(1, "RATE", std::string{4, 0} + real(50) + none);
+    out += record(1, "RATE", std::string{4, 0} + real(rate) + none);
     out += record(1, "UNITS", units + unit + none);
     out += record(1, "LABELS", names + none, true);
     out.resize(512);
@@ -117,6 +118,12 @@ TEST(C3d, NamesThatAreMissingOrComeAgain) {
   EXPECT_THAT(read(Made{.labels = {"", ""}}.bytes()).names(), ElementsAre("point 1", "point 2"));
   EXPECT_THAT(read(Made{.labels = {"a"}}.bytes()).names(), ElementsAre("a", "point 2"));
   EXPECT_THAT(read(Made{.labels = {"a", "a"}}.bytes()).names(), ElementsAre("a", "a-2"));
+  EXPECT_THAT(read(Made{.labels = {"\t", "\n"}}.bytes()).names(), ElementsAre("\\x0a", "unnamed"));
+}
+
+TEST(C3d, RatesBeyondAllSenseAreRefused) {
+  EXPECT_THAT(error_of(Made{.rate = 1e-37F}.bytes()), HasSubstr("the file states a frame interval of 1e+37 s"));
+  EXPECT_THAT(error_of(Made{.rate = 1e35F}.bytes()), HasSubstr("expected finite numbers, the first from 1e-30 to 1e+30"));
 }
 
 TEST(C3d, WhatIsDamagedIsRefused) {

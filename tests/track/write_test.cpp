@@ -145,6 +145,16 @@ TEST(Write, JuPedSimGivesTheSameNumbersBack) {
 }
 
 // Names, units and notes of every odd character, in every format that is written.
+TEST(WriteCsv, IndividualsThatAreSeenOnceComeBack) {
+  const auto tracks = read("id,frame,x,y\na,0,1,2\nb,1,1,2\nc,2,1,2\nc,2,1,2\n", {.fps = 10, .unit = "m"});
+  EXPECT_THAT(read(to_csv(tracks)).names(), testing::ElementsAre("a", "b", "c"));
+}
+
+TEST(WriteCsv, TimesOfManyYearsComeBack) {
+  const std::string csv = to_csv(read("id,frame,x,y\n1,0,1,2\n1,500,2,3\n1,1000,2,3\n", {.fps = 1e-9, .unit = "m"}));
+  EXPECT_DOUBLE_EQ(read(csv).dt(), 5e11 / 500);
+}
+
 TEST(Write, OddCharactersComeBack) {
   const std::vector<std::string> odd = {"NA",    "-",   ".",    "nan", "a b",  "#1",  "%x",   "a,b",  "a;b",        "it's",
                                         "\"q\"", "\"",  "a\"b", "\\n", "=1+1", "0x1", "007",  "-1",   "\xC2\xB5m",  "\xF0\x9F\x90\x9F",
