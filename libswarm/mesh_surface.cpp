@@ -46,7 +46,8 @@ Triangle from_least(const Triangle& t) {
 }
 
 void check_area(const std::vector<Array3d>& corners, const Triangle& t, std::size_t number) {
-  const Array3d a = corners[t[0]], ab = corners[t[1]] - a, ac = corners[t[2]] - a, bc = ac - ab;
+  const Array3d& a = corners[t[0]];
+  const Array3d ab = corners[t[1]] - a, ac = corners[t[2]] - a, bc = ac - ab;
   const double side2 = std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)});
   if (!(length(cross(ab, ac)) > kFlat * side2))
     throw InputError(fmt::format("triangle {} has no area: {}, {}, {} are on a line; expected triangles", number + 1, named(a),
@@ -113,7 +114,7 @@ double enclosed(const std::vector<Array3d>& corners, const std::vector<Triangle>
   std::vector<double> volume(triangles.size(), 0), area(triangles.size(), 0);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const std::uint32_t part = root_of(parent, t);
-    const Array3d a = corners[triangles[part][0]];  // of its own part, or a small one far away would drown
+    const Array3d& a = corners[triangles[part][0]];  // of its own part, or a small one far away would drown
     const Array3d p = corners[triangles[t][0]] - a, q = corners[triangles[t][1]] - a, r = corners[triangles[t][2]] - a;
     volume[part] += dot(p, cross(q, r)) / 6;
     area[part] += length(cross(q - p, r - p)) / 2;

@@ -16,8 +16,8 @@ constexpr double kMostSeeds = 9223372036854775807.0;
 
 // Rows longer than a line would be taken apart, one field a line:
 // clang-format off
-const std::vector<ScenarioKey>& table() {
-  static const std::vector<ScenarioKey> all{
+std::vector<ScenarioKey> of_the_file() {
+  return {
       {"", "title", Type::text, "one line: what it shows", true},
       {"", "source", Type::text, "where it is published; the model's if not given"},
       {"", "model", Type::text, "with its options, as in bswarm[noise=white]", true},
@@ -42,7 +42,11 @@ const std::vector<ScenarioKey>& table() {
       {"", "start", Type::table, "where and how agents begin; a ball about the middle if not given"},
       {"", "group", Type::tables, "agents that begin alike"},
       {"", "expect", Type::by_name, "numbers to measure, and what they should be"},
+  };
+}
 
+std::vector<ScenarioKey> of_the_world() {
+  return {
       {"bounds", "shape", Type::choice, "", true, {}, {"open", "box", "sphere", "periodic"}},
       {"bounds", "lower", Type::place, "corner of a box"},
       {"bounds", "upper", Type::place, "the corner opposite"},
@@ -94,7 +98,11 @@ const std::vector<ScenarioKey>& table() {
       {"bridge", "entry_y", Type::number, "where on its width ants arrive; its middle if not given", false, {0, kForever}},
       {"bridge", "entry_y_spread", Type::number, "standard deviation of that", false, {0, kForever}},
       {"bridge", "speed", Type::number, "", false, kPositive},
+  };
+}
 
+std::vector<ScenarioKey> of_agents() {
+  return {
       {"start", "shape", Type::choice, "ball if not given", false, {}, {"ball", "box", "line", "grid", "ring"}},
       {"start", "centre", Type::place, "of a ball or a ring"},
       {"start", "radius", Type::number, "of a ball or a ring", false, kNotNegative},
@@ -118,9 +126,17 @@ const std::vector<ScenarioKey>& table() {
       {"expect", "below", Type::number, "greatest value that is allowed"},
       {"expect", "published", Type::text, "what the source says"},
   };
-  return all;
 }
 // clang-format on
+
+const std::vector<ScenarioKey>& table() {
+  static const std::vector<ScenarioKey> all = [] {
+    std::vector<ScenarioKey> keys = of_the_file();
+    for (const auto& more : {of_the_world(), of_agents()}) keys.insert(keys.end(), more.begin(), more.end());
+    return keys;
+  }();
+  return all;
+}
 
 }  // namespace
 

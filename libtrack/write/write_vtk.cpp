@@ -145,7 +145,8 @@ void to_vtk(const Surrounded& all, const std::string& path, const PutFile& put) 
     const Rows velocity = velocities(tracks);
     for (const FrameRange& frame : tracks.frames()) {
       const std::string name = numbered(what, frame.number);
-      put(folder + "/" + name, vtp_of_frame(tracks, frame, velocity));
+      std::string file = folder;
+      put(file.append("/").append(name), vtp_of_frame(tracks, frame, velocity));
       add(tracks.time(frame.number), part, name);
     }
   };

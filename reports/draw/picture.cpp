@@ -125,9 +125,10 @@ std::string key_of(const Tracks& tracks, const Scenery& scenery) {
     entries.emplace_back(colour_of_kind(k),
                          static_cast<std::size_t>(k) < names.size() ? names[static_cast<std::size_t>(k)] : fmt::format("kind {}", k));
   using enum Scenery::Mark::Kind;
-  for (const auto& [kind, name] : {std::pair(attract, "attracts"), std::pair(repel, "repels"), std::pair(goal, "goal")})
-    if (std::any_of(scenery.marks.begin(), scenery.marks.end(), [&](const auto& m) { return m.kind == kind; }))
-      entries.emplace_back(colour_of(kind), name);
+  const std::pair<Scenery::Mark::Kind, const char*> signs[] = {{attract, "attracts"}, {repel, "repels"}, {goal, "goal"}};
+  for (const auto& sign : signs)
+    if (std::any_of(scenery.marks.begin(), scenery.marks.end(), [&](const auto& m) { return m.kind == sign.first; }))
+      entries.emplace_back(colour_of(sign.first), sign.second);
   std::string out;
   double x = kWidth - kMargin;
   for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {

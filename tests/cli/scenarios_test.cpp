@@ -83,8 +83,10 @@ void expect_valid(const nlohmann::json& schema, const nlohmann::json& value, con
     ASSERT_TRUE(schema["additionalProperties"].is_object()) << where << ": " << key;
     if (schema["additionalProperties"].contains("type")) expect_valid(schema["additionalProperties"], inner, where + "." + key);
   }
-  if (schema.contains("required"))
-    for (const auto& name : schema["required"]) EXPECT_TRUE(value.contains(name)) << where << ": " << name;
+  if (!schema.contains("required")) return;
+  for (const auto& name : schema["required"]) {
+    EXPECT_TRUE(value.contains(name)) << where << ": " << name;
+  }
 }
 
 TEST_F(Scenarios, TheSchemaIsOfWhatTheReaderReads) {
@@ -111,7 +113,7 @@ TEST_F(Scenarios, WallsFromAFileHoldForAModelAlone) {
   int rows = 0;
   for (std::string line; std::getline(lines, line);) {
     double x = 0, y = 0, z = 0;
-    if (std::sscanf(line.c_str(), "%*d,%*d,%*lf,%lf,%lf,%lf", &x, &y, &z) != 3) continue;
+    if (std::sscanf(line.c_str(), "%*d,%*d,%*f,%lf,%lf,%lf", &x, &y, &z) != 3) continue;
     ++rows;
     EXPECT_TRUE(x >= 0 && x <= 1 && y >= 0 && y <= 1 && z >= 0 && z <= 1) << line;
     EXPECT_FALSE(x > 0.4 && y > 0.4 && z > 0.4 && x + y + z < 1.4 - 1e-9) << line;
