@@ -86,7 +86,8 @@ double draw_all(svg::Sheet& sheet, const Comparison& c, const std::vector<Wanted
   const double top = plot::legend_rows(sheet, 66, sheet.width(), line, legend) + 12, width = sheet.width() / static_cast<double>(across);
   double bottom = top;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const svg::Box box{static_cast<double>(k % across) * width + 28, top + static_cast<double>(k / across) * (plot_height + 44), width - 38,
+    const std::size_t row = k / across;
+    const svg::Box box{static_cast<double>(k % across) * width + 28, top + static_cast<double>(row) * (plot_height + 44), width - 38,
                        plot_height};
     draw(sheet, box, c, all[k]);
     bottom = std::max(bottom, box.bottom() + 26);

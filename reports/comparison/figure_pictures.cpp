@@ -35,8 +35,8 @@ struct Grid {
   std::size_t across;
   double side, left, top;
   svg::Box box(std::size_t k) const {
-    return {left + static_cast<double>(k % across) * (side + kGap), top + static_cast<double>(k / across) * (side + kTitle + 4), side,
-            side};
+    const std::size_t row = k / across;
+    return {left + static_cast<double>(k % across) * (side + kGap), top + static_cast<double>(row) * (side + kTitle + 4), side, side};
   }
   svg::Box bar() const { return {left + static_cast<double>(across) * (side + kGap), top, 7, side}; }
   double bottom(std::size_t count) const { return box(count - 1).bottom(); }
