@@ -278,7 +278,8 @@ def row(program, path, name, flags, compare, refused):
     data = seen["data"]
     wrong = "read, but is to be refused" if refused else compare(data["dt"])
     package, found = packages(path)
-    wrong = wrong or "; ".join(f"{package}: {value} {key}" for key, value in found.items() if seen[key] != value)
+    if wrong is not None:
+        wrong = wrong or "; ".join(f"{package}: {value} {key}" for key, value in found.items() if seen[key] != value)
     verdict = f"DIFFERS: {wrong}" if wrong else "no reader here" if wrong is None else f"same{' (and ' + package + ')' if package else ''}"
     print(f"| {shown} | {data['format']} | {seen['tracks']} | {seen['rows']} | {seen['frames']} | {1 / data['dt']:.6g} | {data['unit']} | {verdict} |", flush=True)
     return not wrong
