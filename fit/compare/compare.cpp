@@ -132,6 +132,28 @@ void check_likelihood(const CompareOptions& options) {
     throw InputError("`likelihood`: none of these models has one in closed form; expected langevin among them");
 }
 
+// Puts the models in order, and says how sure that is.
+void rank_models(Comparison& result, Trial trial, std::optional<HoldOut>& held, int pooled) {
+  const Order order = order_by_score(result.models);
+  result.models = in_order(std::move(result.models), order);
+  number(result.models);
+  trial = in_order(std::move(trial), order);
+  add_standings(result.models, trial, result.ranking.weights, pooled);
+  if (held) {
+    result.recording.hold_out = held->facts;
+    add_held_out(result.models, *held, order, pooled);
+  }
+  describe_ranking(result, trial);
+}
+
+std::vector<Warning> all_warnings(const Comparison& result) {
+  std::vector<Warning> out;
+  for (const auto& some : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result), warnings_of_learning(result)})
+    out.insert(out.end(), some.begin(), some.end());
+  std::stable_sort(out.begin(), out.end(), [](const Warning& a, const Warning& b) { return a.gravity < b.gravity; });
+  return out;
+}
+
 bool holds_out(const Tracks& recording, const CompareOptions& options) {
   using When = CompareOptions::HoldOutWhen;
   return options.hold_out == When::always ||
@@ -200,20 +222,8 @@ Comparison compare(const Tracks& recording, const CompareOptions& wanted, const 
     result.models.push_back(std::move(fit));
   }
   trial.laws.scatter = search_scatter(selections, weighting);
-  const Order order = order_by_score(result.models);
-  result.models = in_order(std::move(result.models), order);
-  number(result.models);
-  trial = in_order(std::move(trial), order);
-  add_standings(result.models, trial, result.ranking.weights, options.budget.final_replicates);
-  if (held) {
-    result.recording.hold_out = held->facts;
-    add_held_out(result.models, *held, order, options.budget.final_replicates);
-  }
-  describe_ranking(result, trial);
-  for (const auto& warnings : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result), warnings_of_learning(result)})
-    result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
-  std::stable_sort(result.warnings.begin(), result.warnings.end(),
-                   [](const Warning& a, const Warning& b) { return a.gravity < b.gravity; });
+  rank_models(result, std::move(trial), held, options.budget.final_replicates);
+  result.warnings = all_warnings(result);
   return result;
 }
 

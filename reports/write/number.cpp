@@ -54,7 +54,7 @@ std::string brief(double value, int significant) {
 }
 
 std::string with_error(double value, double error, int decimals) {
-  const std::string text = fixed(value, decimals);
+  std::string text = fixed(value, decimals);
   if (!std::isfinite(error)) return text;
   const bool vanishes = error > 0 && error < 0.5 * std::pow(10, -decimals);
   return text + " ± " + (vanishes ? rounded(error, 1) : fixed(error, decimals));
