@@ -54,11 +54,11 @@ struct Arguments {
   double smoothing = 0;  // of convert
   std::string write_as;  // of convert: name of a format; empty: by the ending of `out`
 
-  CompareOptions compare;        // of fit, compare, power and recover; its lags, binning and velocity also of evaluate
-  RecoveryOptions recovery;      // without its CompareOptions
-  bool parameters = false;       // recover the parameters of one model, instead of which model
-  int seeds = 0;                 // of power and sweep
-  Part part;                     // of a study: recover, power or sweep
+  CompareOptions compare;    // of fit, compare, power and recover; its lags, binning and velocity also of evaluate
+  RecoveryOptions recovery;  // without its CompareOptions
+  bool parameters = false;   // recover the parameters of one model, instead of which model
+  int seeds = 0;             // of power and sweep
+  Part part;                 // of a study: recover, power or sweep
   SceneArguments scene;
   MeasureOptions measure;  // of measure and sweep
   SweepOptions sweep;      // without what it is measured by, seeds and scene

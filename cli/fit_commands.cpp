@@ -63,7 +63,8 @@ void say_what_was_taken_up(const Arguments& a, const Tally& tally) {
 }
 
 // Compares on one recording and writes its run directory. The checkpoint stays: the caller removes it when all is done.
-Comparison run_one(const Arguments& a, const CompareOptions& options, const Tracks& recording, const std::string& path, const std::string& dir) {
+Comparison run_one(const Arguments& a, const CompareOptions& options, const Tracks& recording, const std::string& path,
+                   const std::string& dir) {
   const auto start = std::chrono::steady_clock::now();
   const Settings config = with(a.config, "DATA", toml_array({path}));
   const auto text = config_toml(options.models.size() > 1 ? "compare" : "fit", config);

@@ -12,7 +12,8 @@ namespace swarmfit {
 struct LinearMotion {
   LinearNoise<3>::Matrix drift{};
   std::array<double, 3> noise{};
-  // What an agent brings along and no recording shows, given where it enters and how fast: hidden_on · (x, v) + hidden_sd · (a normal number).
+  // What an agent brings along and no recording shows, given where it enters and how fast: hidden_on · (x, v) + hidden_sd · (a normal
+  // number).
   std::array<double, 2> hidden_on{};
   double hidden_sd = 0;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The calibration loop (Ren et al. 2016, algorithm Par-Est): models are searched under weights, and weights made of what the searches found.
+// The calibration loop (Ren et al. 2016, algorithm Par-Est): models are searched under weights, and weights made of what the searches
+// found.
 #pragma once
 
 #include <vector>

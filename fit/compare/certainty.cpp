@@ -239,8 +239,7 @@ std::vector<Certainty> certainties(std::span<const Trial> trials, int pooled) {
   std::vector<double> fits;
   for (std::size_t m = 0; m < out.size(); ++m) {
     Certainty& c = out[m];
-    if (trials.size() == 1)
-      c.own = mean(own_energies(trials[0].laws.of[m], *trials[0].target, pooled), trials[0].target->columns().size());
+    if (trials.size() == 1) c.own = mean(own_energies(trials[0].laws.of[m], *trials[0].target, pooled), trials[0].target->columns().size());
     c.goodness_p = goodness(distances(trials, m, pooled));
     fits.push_back(c.goodness_p);
     c.set_p = p[m];

@@ -100,8 +100,7 @@ void add_held_out(std::vector<ModelFit>& models, HoldOut& held, const Order& ord
     Certainty& c = s.certainty;
     c.group = sure[k].group;
     c.set_p = sure[k].set_p;
-    std::tie(c.lower, c.upper, c.lead_lower, c.lead_upper) =
-        std::tie(sure[k].lower, sure[k].upper, sure[k].lead_lower, sure[k].lead_upper);
+    std::tie(c.lower, c.upper, c.lead_lower, c.lead_upper) = std::tie(sure[k].lower, sure[k].upper, sure[k].lead_lower, sure[k].lead_upper);
   }
 }
 
@@ -156,8 +155,7 @@ std::vector<Warning> all_warnings(const Comparison& result) {
 
 bool holds_out(const Tracks& recording, const CompareOptions& options) {
   using When = CompareOptions::HoldOutWhen;
-  return options.hold_out == When::always ||
-         (options.hold_out == When::worth_it && options.models.size() > 1 && worth_halving(recording));
+  return options.hold_out == When::always || (options.hold_out == When::worth_it && options.models.size() > 1 && worth_halving(recording));
 }
 
 // Columns of the score that are not mostly localisation error: on those the skill rests.

@@ -107,9 +107,8 @@ bool is_part(const ModelFit& part, const ModelFit& whole) {
 
 void warn_of_parts(const ModelFit& whole, const Comparison& r, std::vector<Warning>& out) {
   for (const ModelFit& part : r.models)
-    if (is_part(part, whole) &&
-        part.standing.in_sample.score - whole.standing.in_sample.score >
-            kStandardErrors * std::hypot(part.standing.in_sample.score_se, whole.standing.in_sample.score_se))
+    if (is_part(part, whole) && part.standing.in_sample.score - whole.standing.in_sample.score >
+                                    kStandardErrors * std::hypot(part.standing.in_sample.score_se, whole.standing.in_sample.score_se))
       warn(out, Gravity::result,
            "{} contains {} as a special case, but scores lower: its search is incomplete, and a larger --budget may change its rank.",
            whole.model, part.model);

@@ -30,9 +30,9 @@ bool worth_halving(const Tracks& recording);
 // The models in the order in which they were named.
 struct HoldOut {
   HoldOutFacts facts;
-  std::vector<double> scores;    // mean of both ways
-  std::vector<HeldOut> models;   // goodness is not known yet
-  std::vector<Trial> trials;     // one per way; their targets are below
+  std::vector<double> scores;   // mean of both ways
+  std::vector<HeldOut> models;  // goodness is not known yet
+  std::vector<Trial> trials;    // one per way; their targets are below
   std::vector<std::unique_ptr<Target>> targets;
   std::vector<std::vector<std::vector<double>>> values;  // per model and fit: a value per row of its table
 };

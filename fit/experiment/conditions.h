@@ -49,8 +49,8 @@ struct Conditions {
   Eigen::Array3d sigma = Eigen::Array3d::Zero();  // localisation error put on simulated positions, per axis [unit]
   Grid grid;                                      // to which simulated positions are rounded
   MetricOptions metrics;                          // how both sides are measured
-  std::int64_t first_frame = 0, frames = 0;  // that are simulated
-  int unseen = 0;  // simulated individuals that the camera does not see
+  std::int64_t first_frame = 0, frames = 0;       // that are simulated
+  int unseen = 0;                                 // simulated individuals that the camera does not see
   // Of what models are told (Setup::reference), such as where the swarm stays; null: of the recording that is compared.
   std::shared_ptr<const Tracks> reference;
 };

@@ -16,10 +16,10 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-constexpr double kUnknownSpeed = 1e3;  // standard deviation of a velocity before anything is known of it, in mean speeds
+constexpr double kUnknownSpeed = 1e3;                 // standard deviation of a velocity before anything is known of it, in mean speeds
 constexpr double kLeastError = 1e-4, kMostError = 1;  // of positions, in mean steps
-constexpr int kStarts = 2, kEvaluations = 400;  // starts beside the two that are not drawn
-constexpr double kCurvatureStep = 1e-3;  // in the unit cube
+constexpr int kStarts = 2, kEvaluations = 400;        // starts beside the two that are not drawn
+constexpr double kCurvatureStep = 1e-3;               // in the unit cube
 constexpr double kNormal = 1.959963984540054;
 
 // y(t + dt) = keep y(t) + a normal error of this covariance.
@@ -95,7 +95,10 @@ std::vector<std::vector<Index>> rows_by_track(const Tracks& recording) {
 // The part of log_likelihood that does not depend on the model.
 struct Places {
   explicit Places(const Tracks& recording)
-      : tracks(recording), individuals(rows_by_track(recording)), centre(recording.pos().colwise().mean().transpose()), speed(mean_speed(recording)) {}
+      : tracks(recording),
+        individuals(rows_by_track(recording)),
+        centre(recording.pos().colwise().mean().transpose()),
+        speed(mean_speed(recording)) {}
 
   double log_likelihood(const LinearMotion& motion, const Eigen::Array3d& sd) const {
     Transitions transitions(motion, tracks.dt());
@@ -217,8 +220,7 @@ std::optional<MaximumLikelihood> maximum_likelihood(const SearchSpace& space, co
   starts.push_back(first);
   for (int k = 0; k < kStarts; ++k) {
     Point any = first;
-    for (Index a = 0; a < n; ++a)
-      any[a] = rng.uniform2(Stream::probe, static_cast<std::uint64_t>(k), static_cast<std::uint32_t>(a))[0];
+    for (Index a = 0; a < n; ++a) any[a] = rng.uniform2(Stream::probe, static_cast<std::uint64_t>(k), static_cast<std::uint32_t>(a))[0];
     starts.push_back(any);
   }
   Point best = first;

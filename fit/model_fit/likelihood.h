@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Maximum likelihood, where a model has one in closed form (ModelSpec::linear): the Kalman filter (Kalman 1960, doi:10.1115/1.3662552; Durbin
-// and Koopman, Time Series Analysis by State Space Methods, 2nd ed. 2012, chapters 4 and 7). It uses every correlation in time that the
-// recording has, where the metrics see distributions over a few frames.
+// Maximum likelihood, where a model has one in closed form (ModelSpec::linear): the Kalman filter (Kalman 1960, doi:10.1115/1.3662552;
+// Durbin and Koopman, Time Series Analysis by State Space Methods, 2nd ed. 2012, chapters 4 and 7). It uses every correlation in time that
+// the recording has, where the metrics see distributions over a few frames.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@
 
 namespace swarmfit {
 
-// The natural logarithm of the likelihood of all tracks, each component by itself, given the first two positions of each: velocities are not
-// known before. Gaps are bridged exactly. sd: of what measurement adds to positions, per axis [unit]. -inf where the model is no model.
+// The natural logarithm of the likelihood of all tracks, each component by itself, given the first two positions of each: velocities are
+// not known before. Gaps are bridged exactly. sd: of what measurement adds to positions, per axis [unit]. -inf where the model is no model.
 double log_likelihood(const Tracks& recording, const LinearMotion& motion, const Eigen::Array3d& sd);
 
 // Of one parameter, in physical units; the ends of the 95 % interval are NaN where the maximum lies on a bound.

@@ -115,11 +115,11 @@ struct Nearness {
 
 // A model on the halves of the recording that it was not fitted to (fit/compare/hold_out.h).
 struct HeldOut {
-  std::vector<double> scores;   // per way of HoldOutFacts, means over its searches; their mean is Standing::score
-  double search_sd = NAN;       // how much the score scatters between searches of the same half; NaN: there was one
-  double goodness_p = NAN;      // as Certainty::goodness_p, of the recordings of both halves
-  std::int64_t simulations = 0; // runs, beside those of SearchFacts
-  Nearness nearness{};          // mean of both ways
+  std::vector<double> scores;    // per way of HoldOutFacts, means over its searches; their mean is Standing::score
+  double search_sd = NAN;        // how much the score scatters between searches of the same half; NaN: there was one
+  double goodness_p = NAN;       // as Certainty::goodness_p, of the recordings of both halves
+  std::int64_t simulations = 0;  // runs, beside those of SearchFacts
+  Nearness nearness{};           // mean of both ways
 };
 
 // The score of the fit to the whole recording, on that recording.
@@ -133,11 +133,11 @@ struct InSample {
 
 // Where a model stands among those it was compared with.
 struct Standing {
-  int rank = 0;          // 1 is best; 0 if the score is undefined
-  double score = NAN;    // what decides, higher is better: of the halves that were not fitted, or else in sample
+  int rank = 0;           // 1 is best; 0 if the score is undefined
+  double score = NAN;     // what decides, higher is better: of the halves that were not fitted, or else in sample
   Certainty certainty{};  // of that score; goodness and own energies are of the fit to the whole recording
   InSample in_sample{};
-  Energies energies{};   // (raw - p1)/p2 of the fit to the whole recording, 0 where p2 = 0
+  Energies energies{};  // (raw - p1)/p2 of the fit to the whole recording, 0 where p2 = 0
   Sensitivity sensitivity{};
   HeldOut held_out{};
 };

@@ -57,7 +57,10 @@ Entering entering(std::span<const double> p) {
 
 LinearMotion motion_of(std::span<const double> p) {
   const auto [on_x, on_v, rest] = entering(p);
-  return {{{{0, 1, 0}, {-p[kK], -1 / p[kTauV], 1}, {0, 0, -1 / p[kTauEta]}}}, {0, 0, p[kSigma] * std::sqrt(2 / p[kTauEta])}, {on_x, on_v}, rest};
+  return {{{{0, 1, 0}, {-p[kK], -1 / p[kTauV], 1}, {0, 0, -1 / p[kTauEta]}}},
+          {0, 0, p[kSigma] * std::sqrt(2 / p[kTauEta])},
+          {on_x, on_v},
+          rest};
 }
 
 class Langevin : public Model {

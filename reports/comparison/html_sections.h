@@ -17,8 +17,9 @@ Html heat_map(const Comparison&);       // signed misfit, model by metric
 Html pictures(const Comparison&);       // recording beside every model; nothing without pictures
 Html quality(const Comparison&);        // of the tracks over time
 Html convergence(const Comparison&);
-Html posteriors(const Comparison&);   // nothing without samples
-Html motion(const Comparison&);       // films of the recording and every model in their surroundings, a section of its own; nothing without a film
+Html posteriors(const Comparison&);  // nothing without samples
+Html motion(
+    const Comparison&);  // films of the recording and every model in their surroundings, a section of its own; nothing without a film
 Html settings(const Comparison&);     // what was kept fixed, and the time step
 Html legend(const Comparison&);       // check boxes of the charts
 Html pdf_figures(const Comparison&);  // an empty canvas per column

@@ -149,7 +149,8 @@ PaperTable sensitivity(const Comparison& c, const Columns& columns) {
       const Sensitivity& s = r.standing.sensitivity;
       return std::isfinite(s.without[m]) ? fmt::format("{} ({})", in_print(fixed(s.without[m], 3)), s.rank_without[m]) : kUndefined;
     });
-    row.insert(row.begin() + 1, fmt::format("{} ({})", in_print(fixed(r.standing.in_sample.score, 3)), rank_text(r.standing.in_sample.rank)));
+    row.insert(row.begin() + 1,
+               fmt::format("{} ({})", in_print(fixed(r.standing.in_sample.score, 3)), rank_text(r.standing.in_sample.rank)));
     t.rows.push_back(std::move(row));
   }
   return t;

@@ -34,8 +34,8 @@ std::string skill_text(const Comparison&, const ModelFit& m, Reader reader) {
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all = {
       {"rank", "1 is best", [](const ModelFit& m) { return place(m.standing.rank); }, "rank", Reader::terminal, rank_and_group},
-      {"score", "E, the weighted score that decides: higher is better", [](const ModelFit& m) -> Value { return m.standing.score; }, "score",
-       Reader::terminal, [](const Comparison&, const ModelFit& m, Reader) { return fixed(m.standing.score, 3); }},
+      {"score", "E, the weighted score that decides: higher is better", [](const ModelFit& m) -> Value { return m.standing.score; },
+       "score", Reader::terminal, [](const Comparison&, const ModelFit& m, Reader) { return fixed(m.standing.score, 3); }},
       {"score_ci", "95 % interval of the score across recordings of this length",
        [](const ModelFit& m) -> Value {
          return Interval{m.standing.certainty.lower, m.standing.certainty.upper};

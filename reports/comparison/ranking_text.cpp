@@ -160,12 +160,14 @@ std::string panel_text(const Comparison& c, TextStyle style) {
 std::string parameters_text(const Comparison& c, TextStyle style) {
   std::vector<std::string> fits;
   for (const ModelFit& r : c.models)
-    if (const std::string values = fitted_values(r); !values.empty() && r.posterior.simulations == 0) fits.push_back(r.model + ": " + values);
+    if (const std::string values = fitted_values(r); !values.empty() && r.posterior.simulations == 0)
+      fits.push_back(r.model + ": " + values);
   std::vector<std::string> likely;
   for (const ModelFit& r : c.models)
     if (const std::string values = most_likely_values(r); !values.empty()) likely.push_back(r.model + ": " + values);
   return bullets("Maximum likelihood, 95 % intervals in brackets", likely, Paint::bold, style) +
-         bullets(c.recording.hold_out.used() ? "Fitted parameters (in brackets: between which values the fits to halves lie)" : "Fitted parameters",
+         bullets(c.recording.hold_out.used() ? "Fitted parameters (in brackets: between which values the fits to halves lie)"
+                                             : "Fitted parameters",
                  fits, Paint::bold, style);
 }
 

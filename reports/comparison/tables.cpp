@@ -164,8 +164,27 @@ std::string normalisation(const Comparison& c) {
 }
 
 std::string parameters(const Comparison& c) {
-  Csv csv = with_header({"model", "parameter", "value", "unit", "lower", "upper", "fitted", "at_bound", "halves_lower", "halves_upper", "likelihood", "likelihood_lower", "likelihood_upper", "median", "ci_lower", "ci_upper",
-                         "contraction", "verdict", "partner", "correlation", "meaning"});
+  Csv csv = with_header({"model",
+                         "parameter",
+                         "value",
+                         "unit",
+                         "lower",
+                         "upper",
+                         "fitted",
+                         "at_bound",
+                         "halves_lower",
+                         "halves_upper",
+                         "likelihood",
+                         "likelihood_lower",
+                         "likelihood_upper",
+                         "median",
+                         "ci_lower",
+                         "ci_upper",
+                         "contraction",
+                         "verdict",
+                         "partner",
+                         "correlation",
+                         "meaning"});
   for (const ModelFit& r : c.models) {
     for (const ParameterResult& p : r.parameters) {
       csv.field(r.model).field(p.name).field(p.value).field(p.unit).field(p.lower).field(p.upper);
@@ -208,7 +227,11 @@ std::string sensitivity(const Comparison& c) {
   for (const ModelFit& r : c.models) {
     for (std::size_t m = 0; m < c.recording.columns.size(); ++m) {
       const Sensitivity& s = r.standing.sensitivity;
-      csv.field(r.model).field(c.recording.columns[m].key()).field(c.ranking.weights[m]).field(r.standing.in_sample.score).field(s.without[m]);
+      csv.field(r.model)
+          .field(c.recording.columns[m].key())
+          .field(c.ranking.weights[m])
+          .field(r.standing.in_sample.score)
+          .field(s.without[m]);
       csv.field(rank_text(r.standing.in_sample.rank)).field(rank_text(s.rank_without[m])).field(s.doubled[m]).end();
     }
   }

@@ -9,7 +9,6 @@
 
 #include "fit/compare/hold_out.h"
 #include "fit/compare/rank.h"
-#include "fit/compare/rank.h"
 #include "fit/experiment/objective.h"
 #include "fit/study/recovery.h"
 #include "libeval/lags.h"

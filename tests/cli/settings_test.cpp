@@ -284,7 +284,8 @@ TEST_F(WithFile, ReadsWhatEarlierVersionsWrote) {
   write(compare);
   // The bytes, too, but for what can be set since then.
   std::string today = config_toml("compare", parse({"compare", "--config", path})->config);
-  for (const std::string line : {"search = \"full\"\n", "searched = \"all\"\n", "entry = \"estimated\"\n", "holdout = \"auto\"\n", "searches = 1\n"}) {
+  for (const std::string line :
+       {"search = \"full\"\n", "searched = \"all\"\n", "entry = \"estimated\"\n", "holdout = \"auto\"\n", "searches = 1\n"}) {
     const auto at = today.find(line);
     ASSERT_NE(at, today.npos) << line;
     today.erase(at, line.size());

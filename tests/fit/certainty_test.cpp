@@ -274,7 +274,8 @@ TEST(Certainty, EveryModelExplainsItsOwnRecordings) {
       const Weighting weighting = initial_weighting(used, target.worst());
       const Energies raw = objective.evaluate(truth, replicate_seeds({seed}, Stream::final_seeds, pooled)).raw;
       const Law law = law_of(objective, truth, {seed}, 39);
-      const auto sure = certainties(std::array{Trial{{{-cost_of(raw, weighting), raw}}, {law, {law}, {0}, {1}}, &target, weighting}}, pooled);
+      const auto sure =
+          certainties(std::array{Trial{{{-cost_of(raw, weighting), raw}}, {law, {law}, {0}, {1}}, &target, weighting}}, pooled);
       rejected += sure[0].goodness_p <= 0.05;
     }
   }

@@ -87,10 +87,14 @@ TEST(Likelihood, IsTheDensityOfAllPositionsTogether) {
     p0 = on * p0 * on.transpose();
     std::vector<Eigen::Matrix3d> keep, error;
     for (Index r = 1; r < n; ++r) {
-      const LinearNoise<3> step(m.drift, m.noise, tracks.dt() * static_cast<double>(tracks.frame()[static_cast<std::size_t>(r)] - tracks.frame()[static_cast<std::size_t>(r - 1)]));
+      const LinearNoise<3> step(
+          m.drift, m.noise,
+          tracks.dt() * static_cast<double>(tracks.frame()[static_cast<std::size_t>(r)] - tracks.frame()[static_cast<std::size_t>(r - 1)]));
       Eigen::Matrix3d a, l;
       for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) a(static_cast<Index>(i), static_cast<Index>(j)) = step.keep[i][j], l(static_cast<Index>(i), static_cast<Index>(j)) = step.draw[i][j];
+        for (std::size_t j = 0; j < 3; ++j)
+          a(static_cast<Index>(i), static_cast<Index>(j)) = step.keep[i][j],
+                                   l(static_cast<Index>(i), static_cast<Index>(j)) = step.draw[i][j];
       keep.push_back(a), error.push_back(l * l.transpose());
     }
     // Covariances of the states at two times, by carrying the earlier one on.

@@ -195,7 +195,8 @@ void add_groups(Comparison& c) {
   for (ModelFit& r : c.models) {
     const double se = best ? std::hypot(best->standing.in_sample.score_se, r.standing.in_sample.score_se) : 0;
     if (!best || best->standing.score - r.standing.score > 2 * se) best = &r, ++group;
-    r.standing.certainty.group = std::isfinite(r.standing.score) && std::isfinite(se) && std::isfinite(r.standing.in_sample.score_se) ? group : 0;
+    r.standing.certainty.group =
+        std::isfinite(r.standing.score) && std::isfinite(se) && std::isfinite(r.standing.in_sample.score_se) ? group : 0;
   }
 }
 

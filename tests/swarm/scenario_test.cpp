@@ -115,7 +115,8 @@ TEST(ScenarioFile, FaultsAreNamedWithTheirPlace) {
       {std::string(kTop) + "[[stimulus]]\nkind = \"repel\"", "[[stimulus]] is nowhere; expected one of at, path, lead, ring, wander"},
       {std::string(kTop) + "[[stimulus]]\nkind = \"repel\"\npath = [[1, 0, 0, 0], [1, 1, 1, 1]]", "goes from 1 to 1 s; expected times in"},
       {std::string(kTop) + "agents = 3\n[[group]]\nagents = 4", ":3:10: agents is given beside [[group]]"},
-      {std::string(kTop) + "[[group]]\nagents = 4\nkind = \"dog\"", ":5:8: [[group]] kind is given, but boids has one kind of agents; expected no kind"},
+      {std::string(kTop) + "[[group]]\nagents = 4\nkind = \"dog\"",
+       ":5:8: [[group]] kind is given, but boids has one kind of agents; expected no kind"},
       {std::string(kTop) + "[expect.x]\nmeasure = \"y\"", "[expect.x] bounds nothing; expected above, below or both"},
       {"title = \"t\"\nmodel = \"bswarm\"\n[parameters]\nchi_res = 3", "chi_res=3: would do nothing, as there are no stimuli here"},
   };
