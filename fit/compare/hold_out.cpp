@@ -161,7 +161,8 @@ struct Repeats {
   }
 };
 
-// The mean of this and another way, for scores, laws and all else that is kept per model.
+// Searches one way and adds what it found. Laws, raw energies, weights and nearness are those of its first search; the score is the mean of
+// all, and their scatter that of the mean.
 void add_way(HoldOut& out, Way& way, std::size_t number, const CompareOptions& options) {
   const std::size_t models = options.models.size();
   Repeats repeats;

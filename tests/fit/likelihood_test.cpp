@@ -120,8 +120,7 @@ TEST(Likelihood, IsTheDensityOfAllPositionsTogether) {
   EXPECT_NEAR(log_likelihood(tracks, m, Eigen::Array3d(sd, sd, 0)), expected, 1e-5 * std::abs(expected));
 }
 
-// In all the recordings of a level that is stated: 95 % intervals, 10 recordings, 4 parameters; 40 intervals, of which at least 34 hold the
-// truth with a probability of 99 %.
+// 95 % intervals of 4 parameters in 10 recordings: of 40 such intervals at least 34 hold the truth with a probability of more than 99 %.
 TEST(Likelihood, FindsWhatMadeARecordingOfOthers) {
   const Truth t{0.6, 4, 0.1, 5};
   const std::array truth{t.tau_v, t.k, t.tau_eta, t.sigma_eta};
