@@ -11,6 +11,7 @@
 #include "libswarm/distance_field.h"
 #include "libtrack/error.h"
 #include "libtrack/rng.h"
+#include "tests/swarm/blind.h"
 #include "tests/swarm/lane.h"
 #include "tests/swarm/meshes.h"
 
@@ -210,18 +211,6 @@ Obstacle body(RawMesh raw, Bounds::Wall wall) {
   return {.shape = Obstacle::Shape::mesh, .wall = wall, .mesh = std::make_shared<const Mesh>(raw.mesh())};
 }
 
-// Knows of nothing and jumps about.
-struct Blind : Model {
-  Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
-    for (Index i = 0; i < now.size(); ++i) {
-      const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
-      next.vel.row(i) = 3 * random_direction(c.rng, Stream::noise, c.tick, id, 0, world.dims).transpose();
-      next.pos.row(i) = now.pos.row(i) + c.dt * next.vel.row(i);
-    }
-    return Step::done;
-  }
-};
-
 TEST(Mesh, WallsHoldWhateverTheModelKnows) {
   for (const auto wall : {Bounds::Wall::reflect, Bounds::Wall::slip})
     for (const RawMesh& raw : {star(), torus_mesh(9)}) {
@@ -234,7 +223,7 @@ TEST(Mesh, WallsHoldWhateverTheModelKnows) {
       for (std::uint32_t k = 0; k < 60; ++k) lane.state.spawn(0, random_place(k, 2), {0, 0, 0});  // some within
       Recorded out;
       lane.out = &out;
-      cpu_backend().run(Blind{}, {.frame_dt = 0.2, .frames = 300}, {&lane, 1});
+      cpu_backend().run(test::Blind{}, {.frame_dt = 0.2, .frames = 300}, {&lane, 1});
       EXPECT_FALSE(lane.blew_up);
       for (std::size_t m = 1; m < out.moments.size(); ++m)
         for (Index i = 0; i < 60; ++i) {

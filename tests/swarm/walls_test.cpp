@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/swarm/blind.h"
 #include "tests/swarm/lane.h"
 
 namespace swarmfit {
@@ -101,18 +102,6 @@ TEST(Walls, ACornerBetweenTwoBlocksTurnsBack) {
   EXPECT_AT(a.vel, -6, -5, 0);
 }
 
-// Knows of nothing and jumps about.
-struct Blind : Model {
-  Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
-    for (Index i = 0; i < now.size(); ++i) {
-      const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
-      next.vel.row(i) = 3 * random_direction(c.rng, Stream::noise, c.tick, id, 0, world.dims).transpose();
-      next.pos.row(i) = now.pos.row(i) + c.dt * next.vel.row(i);
-    }
-    return Step::done;
-  }
-};
-
 TEST(Walls, HoldWhateverTheModelKnows) {
   for (const auto kind : {Bounds::Kind::open, Bounds::Kind::box, Bounds::Kind::sphere, Bounds::Kind::periodic})
     for (const auto wall : {Bounds::Wall::reflect, Bounds::Wall::slip})
@@ -129,7 +118,7 @@ TEST(Walls, HoldWhateverTheModelKnows) {
         for (std::uint32_t k = 0; k < 50; ++k) lane.state.spawn(0, {1.5 - 0.01 * k, -1, 0}, {0, 0, 0});
         Recorded out;
         lane.out = &out;
-        cpu_backend().run(Blind{}, {.frame_dt = 0.5, .frames = 200}, {&lane, 1});
+        cpu_backend().run(test::Blind{}, {.frame_dt = 0.5, .frames = 200}, {&lane, 1});
         EXPECT_FALSE(lane.blew_up);
         for (std::size_t m = 1; m < out.moments.size(); ++m)
           for (Index i = 0; i < 50; ++i) {
