@@ -7,9 +7,9 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kStandardErrors = 3;
-constexpr double kSlight = 0.1;  // of an energy: a model that is far from the recording does not come nearer by that
-constexpr double kFar = 0.4;     // of the worst energy
+constexpr double kCertain = 4;    // standard errors of a difference between many runs
+constexpr double kSlight = 0.1;   // of an energy: a model that is far from the recording does not come nearer by that
+constexpr double kFar = 1.0 / 3;  // of the worst energy
 
 double squared_error(const Outcome& outcome, std::size_t column) {
   Moments single;
@@ -20,12 +20,12 @@ double squared_error(const Outcome& outcome, std::size_t column) {
 
 }  // namespace
 
-bool same_energies(const Outcome& one, const Outcome& other, const Target& target) {
+bool same_energies(const Outcome& one, const Outcome& other, const Target& target, double standard_errors) {
   for (std::size_t j = 0; j < target.columns().size(); ++j) {
-    if (!target.defined(j)) continue;
+    if (!target.defined(j) || std::min(one.raw[j], other.raw[j]) > kFar * target.worst()) continue;
     const double scatter = std::sqrt(squared_error(one, j) + squared_error(other, j));
     const double slight = std::max(kUnseen * target.worst(), kSlight * std::max(one.raw[j], other.raw[j]));
-    if (std::abs(one.raw[j] - other.raw[j]) > std::max(kStandardErrors * scatter, slight)) return false;
+    if (std::abs(one.raw[j] - other.raw[j]) > std::max(standard_errors * scatter, slight)) return false;
   }
   return true;
 }
@@ -37,16 +37,16 @@ bool far_off(const Outcome& outcome, const Target& target) {
   return energies.mean > kFar * target.worst();
 }
 
-void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
-                  std::span<const Rng> seeds, int first, int most) {
+void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates, const StepSeeds& seeds,
+                  int first, int most) {
   const auto all = [](const std::vector<Outcome>& heat) { return std::vector<bool>(heat.size(), true); };
-  const auto outcomes = [&](int steps) {
+  const auto outcomes = [&](int steps, std::span<const Rng> on) {
     objective.use_steps(steps);
-    return objective.race(candidates, seeds, seeds.size(), all);
+    return objective.race(candidates, on, on.size(), all);
   };
-  const auto same = [&](const std::vector<Outcome>& coarse, const std::vector<Outcome>& fine) {
+  const auto same = [&](const std::vector<Outcome>& coarse, const std::vector<Outcome>& fine, double standard_errors) {
     for (std::size_t c = 0; c < candidates.size(); ++c)
-      if (!same_energies(coarse[c], fine[c], target)) return false;
+      if (!same_energies(coarse[c], fine[c], target, standard_errors)) return false;
     return true;
   };
   const auto limit = [&](const std::vector<Outcome>& found) {
@@ -54,10 +54,10 @@ void settle_steps(Objective& objective, const Target& target, const std::vector<
     return (far ? std::min(kFarSteps, most) : most) * objective.ensemble().stable_steps();
   };
   int steps = first;
-  auto coarse = outcomes(steps);
+  auto coarse = outcomes(steps, seeds.few);
   while (2 * steps <= limit(coarse)) {
-    auto fine = outcomes(2 * steps);
-    if (same(coarse, fine)) break;
+    auto fine = outcomes(2 * steps, seeds.few);
+    if (same(coarse, fine, kDifferent) || same(outcomes(steps, seeds.more), outcomes(2 * steps, seeds.more), kCertain)) break;
     steps *= 2;
     coarse = std::move(fine);
   }

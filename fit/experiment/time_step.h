@@ -12,18 +12,25 @@
 
 namespace swarmfit {
 
-// Do all energies agree within three standard errors of the scatter of single runs, within kUnseen of the worst, or within a
-// tenth of themselves?
-bool same_energies(const Outcome& one, const Outcome& other, const Target& target);
+// Do all energies agree within so many standard errors of the scatter of single runs, within kUnseen of the worst, or within a tenth of
+// themselves? Where both are above a third of the worst, no step brings that metric to the recording, and none is asked for.
+inline constexpr double kDifferent = 3;
+bool same_energies(const Outcome& one, const Outcome& other, const Target& target, double standard_errors = kDifferent);
 
-// Is the mean of its energies above two fifths of the worst? Then no step brings the model to the recording.
+// Is the mean of its energies above a third of the worst? Then no step brings the model to the recording.
 bool far_off(const Outcome& outcome, const Target& target);
 
-// The fewest steps, from `first` on by doubling, at which one more doubling changes no energy of any of these candidates on these seeds;
-// `most` times as many as are stable at most, kFarSteps times where all candidates are far off. The objective is left with them.
+// Seeds on which steps are compared: a few, and more of them where the few show a difference. Of many metrics one often differs by three
+// standard errors of a few runs, so on more of them it must be four.
+struct StepSeeds {
+  std::span<const Rng> few, more;
+};
+
+// The fewest steps, from `first` on by doubling, at which one more doubling changes no energy of any of these candidates; `most` times as
+// many as are stable at most, kFarSteps times where all candidates are far off. The objective is left with them.
 inline constexpr int kMostSteps = 16;
 inline constexpr int kFarSteps = 4;
 void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
-                  std::span<const Rng> seeds, int first, int most = kMostSteps);
+                  const StepSeeds& seeds, int first, int most = kMostSteps);
 
 }  // namespace swarmfit

@@ -79,14 +79,18 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
     promote(search_, selection_, static_cast<std::size_t>(narrow.population), kLeadersApart, number, "select", weighting);
     search_.suggested.clear();
     done += candidates(wide, search_.stream, number) * wide.replicates;
-    // The nearer to the recording, the smaller the differences that count: finer steps may be needed at the end, and then once more.
-    for (bool again = true; again; again = number == 1 && settle(selection_, narrow.population, weighting, objective_.ensemble().steps()))
-      explore(selection_, narrow, number, "refine", weighting,
+    const auto refine = [&](const SearchSize& size) {
+      explore(selection_, size, number, "refine", weighting,
               [&](const GenerationReport& report) { on_search(done + report.evaluations * narrow.replicates, -report.best); });
+    };
+    refine(narrow);
+    // The nearer to the recording, the smaller the differences that count: finer steps may be needed at the end, and then a little more.
+    const SearchSize again{narrow.population, std::max(1, narrow.generations / share(selection_.stream, 2)), narrow.replicates};
+    while (number == 1 && settle(selection_, narrow.population, weighting, objective_.ensemble().steps())) refine(again);
     promote(selection_, confirmation_, kFinalists, kFinalistsApart, number, "confirm", weighting);
   } else if (confirmation_.archive.empty()) {
     if (chooses_steps())
-      settle_steps(objective_, target_, {space_.parameters(Point())}, selection_.seeds, objective_.ensemble().stable_steps());
+      settle_steps(objective_, target_, {space_.parameters(Point())}, step_seeds(), objective_.ensemble().stable_steps());
     keep(confirmation_, Point(), objective_.energies(space_.parameters(Point()), confirmation_.seeds), number, "confirm");
     evaluations_ = 1;
     stop_reason_ = "nothing to search";
@@ -114,6 +118,8 @@ void ModelSearch::try_out(const std::vector<Point>& points, Round& round, const 
 
 bool ModelSearch::chooses_steps() const { return plan_.conditions.steps == 0 && !space_.model().spec->is_map(space_.model().options); }
 
+StepSeeds ModelSearch::step_seeds() const { return {selection_.seeds, confirmation_.seeds}; }
+
 // Chooses the time step where the recording is, as far as is known. If it is another now, the best `most` are simulated again, and the rest
 // of what was simulated in other steps is forgotten; candidates count once.
 bool ModelSearch::settle(Round& round, int most, const Weighting& weighting, int first, int finest) {
@@ -121,7 +127,7 @@ bool ModelSearch::settle(Round& round, int most, const Weighting& weighting, int
   const int before = objective_.ensemble().steps();
   std::vector<std::vector<double>> candidates;
   for (const auto& leader : leaders(round, weighting, kSettled, kFinalistsApart)) candidates.push_back(space_.parameters(leader.x));
-  settle_steps(objective_, target_, candidates, selection_.seeds, first, finest);
+  settle_steps(objective_, target_, candidates, step_seeds(), first, finest);
   if (objective_.ensemble().steps() == before) return false;
   std::vector<Point> points;
   for (const auto& leader : leaders(round, weighting, static_cast<std::size_t>(most), 0.0)) points.push_back(leader.x);

@@ -51,6 +51,7 @@ class ModelSearch {
   std::int64_t scout_ahead(const Weighting& weighting, const OnSearch& on_search);  // returns its simulations
   void try_out(const std::vector<Point>& points, Round& round, const char* phase);  // in the first pass
   bool chooses_steps() const;
+  StepSeeds step_seeds() const;
   bool settle(Round& round, int most, const Weighting& weighting, int first, int finest = kMostSteps);  // are steps others now?
   static Round on_seeds(const SearchPlan& plan, Stream stream, int replicates);
   // The best of an archive under these weights, no two nearer than `apart` in the unit cube: by what a search minimises, or by the score.

@@ -42,9 +42,11 @@ std::optional<ParameterCase> one_case(const RecoveryOptions& options, const Comp
   if (!reachable(space, truth)) return {};
   const Target target(recorded_samples(conditions.recording, conditions.metrics), compare.binning);
   Objective objective(model, conditions, target, runtime);
-  if (compare.conditions.steps == 0 && !model.spec->is_map(model.options))
-    settle_steps(objective, target, {truth}, replicate_seeds({seed}, Stream::selection, compare.budget.selection.replicates),
-                 objective.ensemble().stable_steps());
+  if (compare.conditions.steps == 0 && !model.spec->is_map(model.options)) {
+    const auto few = replicate_seeds({seed}, Stream::selection, compare.budget.selection.replicates);
+    const auto more = replicate_seeds({seed}, Stream::confirmation, compare.budget.confirmation_replicates);
+    settle_steps(objective, target, {truth}, {few, more}, objective.ensemble().stable_steps());
+  }
   const auto found = posterior_of(space, objective, Rng{seed}.derive(Stream::posterior, 0));
   ParameterCase out{seed, {}, found.parameters, {}, {}, {}};
   const Point place = space.point(truth);

@@ -36,7 +36,8 @@ struct Case {
   }
 
   int settled() {
-    settle_steps(objective, target, {truth}, replicate_seeds({1}, Stream::selection, 12), objective.ensemble().stable_steps());
+    const auto few = replicate_seeds({1}, Stream::selection, 12), more = replicate_seeds({1}, Stream::confirmation, 24);
+    settle_steps(objective, target, {truth}, {few, more}, objective.ensemble().stable_steps());
     return objective.ensemble().steps();
   }
 };
@@ -84,8 +85,10 @@ TEST(TimeStep, SameEnergies) {
   };
   EXPECT_TRUE(same_energies(outcome(1, 0), outcome(1.09, 0), any.target)) << "below 1/200 of 20";
   EXPECT_FALSE(same_energies(outcome(0.3, 0), outcome(0.41, 0), any.target));
-  EXPECT_TRUE(same_energies(outcome(10, 0), outcome(10.9, 0), any.target)) << "a tenth of what is far away";
-  EXPECT_FALSE(same_energies(outcome(10, 0), outcome(11.2, 0), any.target));
+  EXPECT_TRUE(same_energies(outcome(6, 0), outcome(6.6, 0), any.target)) << "a tenth of what is far away";
+  EXPECT_FALSE(same_energies(outcome(6, 0), outcome(6.8, 0), any.target));
+  EXPECT_TRUE(same_energies(outcome(9, 0), outcome(12, 0), any.target)) << "both above a third of the worst";
+  EXPECT_FALSE(same_energies(outcome(6, 0), outcome(12, 0), any.target));
   // se = 0.5 / sqrt(3) each: three of the difference are 1.2
   EXPECT_TRUE(same_energies(outcome(1, 0.5), outcome(2.1, 0.5), any.target));
   EXPECT_FALSE(same_energies(outcome(1, 0.5), outcome(2.4, 0.5), any.target));
