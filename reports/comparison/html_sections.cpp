@@ -81,6 +81,7 @@ std::string finding(const Comparison& c, std::size_t m) {
 std::vector<std::string> remarks(const ModelFit& r) {
   std::vector<std::string> out;
   const auto bounds = at_bounds(r);
+  if (const auto facts = contradictions(r); !facts.empty()) out.push_back("contradicted by: " + enumerate(facts));
   if (!bounds.empty()) out.push_back("on a bound: " + enumerate(bounds));
   if (r.search.failed_simulations > 0)
     out.push_back(fmt::format("{} of {} simulations diverged", counted(r.search.failed_simulations), counted(r.search.simulations)));

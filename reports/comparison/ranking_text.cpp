@@ -28,6 +28,10 @@ std::string data_line(const DataFacts& d) {
 
 Paint paint_of(const ModelFit& r) { return r.standing.rank == 1 ? Paint::good : Paint::plain; }
 
+std::string marks(const ModelFit& r) {
+  return std::string(contradictions(r).empty() ? "" : " !") + (at_bounds(r).empty() ? "" : " *");
+}
+
 TextTable ranking_table(const Comparison& c, const std::vector<const Quantity*>& columns, TextStyle style) {
   const auto row = [](const std::string& first, const std::string& model, const auto& rest) {
     std::vector<std::string> cells = {first, model};
@@ -46,7 +50,7 @@ TextTable ranking_table(const Comparison& c, const std::vector<const Quantity*>&
   table.row(row(heads.front(), "model", heads), Paint::bold);
   for (const ModelFit& r : c.models) {
     const auto cells = cells_of([&](const Quantity& q) { return q.print(c, r, Reader::terminal); });
-    table.row(row(cells.front(), r.model + (at_bounds(r).empty() ? "" : " *"), cells), paint_of(r));
+    table.row(row(cells.front(), r.model + marks(r), cells), paint_of(r));
   }
   const Estimate& walker = c.recording.skill.walker;
   if (std::isfinite(walker.value))
@@ -200,8 +204,15 @@ std::string shapes_of(const Comparison& c, TextStyle style) {
   return text.empty() ? text : '\n' + text + paragraph(what_shapes_mean(c.recording.binning), " ");
 }
 
-bool any_on_bounds(const Comparison& c) {
-  return std::any_of(c.models.begin(), c.models.end(), [](const ModelFit& r) { return !at_bounds(r).empty(); });
+// What the marks behind names mean, where there are any.
+std::string legend(const Comparison& c) {
+  const auto any = [&](const auto& what) {
+    return std::any_of(c.models.begin(), c.models.end(), [&](const ModelFit& r) { return !what(r).empty(); });
+  };
+  std::string out;
+  if (any(contradictions)) out += " ! contradicted by simple observables, whatever its rank\n";
+  if (any(at_bounds)) out += " * ended on a bound of its search\n";
+  return out;
 }
 
 std::vector<std::string> failures(const Comparison& c) {
@@ -256,7 +267,7 @@ std::string ranking_text(const Comparison& c, TextStyle style, Detail detail) {
   out += paint(wrapped(printable(answer.sentence), kTextWidth), Paint::bold, style) + '\n';
   out += paragraph(answer.detail) + '\n';
   out += ranking_lines(c, style);
-  if (any_on_bounds(c)) out += " * ended on a bound of its search\n";
+  out += legend(c);
   if (const std::string ranks = what_ranks_mean(c); !ranks.empty()) out += paragraph(ranks, " ");
   if (const std::string scores = what_held_out_means(c); !scores.empty()) out += paragraph(scores, " ");
   if (const std::string skill = what_skill_means(c); !skill.empty()) out += paragraph("skill: " + skill, " ");

@@ -40,8 +40,7 @@ std::string p_text(double p, int laws) {
 
 // Observables outside the score that contradict the model.
 std::string refuted(const ModelFit& r) {
-  std::vector<std::string> facts;
-  for (const Refutation& f : r.likeness.refuted_by) facts.push_back(f.item.key == "vacf_zero" ? "memory of direction" : f.item.name);
+  const std::vector<std::string> facts = contradictions(r);
   return facts.empty() ? std::string() : fmt::format("Simple observables contradict it: {}.", enumerate(facts));
 }
 
@@ -272,6 +271,12 @@ std::string lag_weights(const Comparison& c) {
 }
 
 double worst_energy(const Binning& b) { return 2 * b.bins / (b.upper - b.lower); }
+
+std::vector<std::string> contradictions(const ModelFit& r) {
+  std::vector<std::string> out;
+  for (const Refutation& f : r.likeness.refuted_by) out.push_back(f.item.key == "vacf_zero" ? "memory of direction" : f.item.name);
+  return out;
+}
 
 std::vector<std::string> at_bounds(const ModelFit& r) {
   std::vector<std::string> names;

@@ -109,6 +109,9 @@ std::string budget_text(const Comparison&);
 // Names of the parameters that ended on a bound of their search.
 std::vector<std::string> at_bounds(const ModelFit&);
 
+// Names of the simple observables that contradict it.
+std::vector<std::string> contradictions(const ModelFit&);
+
 // Localisation error per axis, with the unit.
 std::string sigma_text(const Comparison&);
 

@@ -44,6 +44,14 @@ TEST(RankingText, ShowsScoresEnergiesWeightsAndWarnings) {
   EXPECT_THAT(text, Not(HasSubstr("\033")));
 }
 
+// A high rank does not hide that anybody can see the difference.
+TEST(RankingText, MarksModelsThatSimpleObservablesContradict) {
+  Comparison c = sample_comparison();
+  EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("contradicted by simple observables")));
+  c.models[0].likeness.refuted_by = {{c.recording.panel.items[0], {}, 1, 0}};
+  EXPECT_THAT(ranking_text(c, {}), AllOf(HasSubstr(" 1 a  bswarm ! *"), HasSubstr("! contradicted by simple observables")));
+}
+
 // Of every model what no search has changed, wrapped like the rest.
 TEST(RankingText, ShowsWhatIsKeptFixed) {
   Comparison c = sample_comparison();
