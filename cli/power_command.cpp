@@ -14,6 +14,7 @@
 #include "cli/recordings.h"
 #include "cli/style.h"
 #include "cli/version.h"
+#include "fit/study/power.h"
 #include "libtrack/error.h"
 #include "reports/study/power_report.h"
 

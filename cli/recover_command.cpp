@@ -13,6 +13,7 @@
 #include "cli/progress.h"
 #include "cli/style.h"
 #include "cli/version.h"
+#include "fit/study/parameter_recovery.h"
 #include "fit/study/recovery.h"
 #include "libtrack/error.h"
 #include "reports/study/parameter_recovery_report.h"

@@ -62,6 +62,10 @@ struct Parameter {
 
   // What one unit of `fit` is worth in this recording.
   double scale(const Scales& s) const;
+
+  // Where neither the papers nor fits go below zero, nothing may; what is searched on a logarithmic axis must be
+  // positive, if it must in scenes. Throws InputError.
+  void check(double value) const;
 };
 
 // A setting with a closed set of values; the first value is the default.

@@ -67,6 +67,15 @@ std::string canonical(const ModelSpec& spec, const Options& options) {
 
 }  // namespace
 
+void Parameter::check(double value) const {
+  const bool positive = log && scene.lower > 0, signless = std::min(scene.lower, fit.lower) >= 0;
+  if (std::isfinite(value) && (!signless || value >= 0) && (!positive || value > 0) && (!integer || value == std::round(value))) return;
+  throw InputError(fmt::format("{}={}: is not allowed; expected {}{}", name, value, integer ? "a whole number" : "a number",
+                               positive   ? " greater than 0"
+                               : signless ? ", at least 0"
+                                          : ""));
+}
+
 double Parameter::scale(const Scales& s) const {
   const double unit_length = length == Length::extent ? s.extent : s.spacing;
   return std::pow(unit_length, unit.length) * std::pow(s.time(), unit.time);

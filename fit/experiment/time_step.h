@@ -30,7 +30,7 @@ struct StepSeeds {
 // many as are stable at most, kFarSteps times where all candidates are far off. The objective is left with them.
 inline constexpr int kMostSteps = 16;
 inline constexpr int kFarSteps = 4;
-void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates,
-                  const StepSeeds& seeds, int first, int most = kMostSteps);
+void settle_steps(Objective& objective, const Target& target, const std::vector<std::vector<double>>& candidates, const StepSeeds& seeds,
+                  int first, int most = kMostSteps);
 
 }  // namespace swarmfit

@@ -303,18 +303,6 @@ std::vector<Marginal> of_prior(const Box& prior) {
 
 double Box::volume() const { return (upper - lower).prod(); }
 
-std::string to_string(Identifiability verdict) {
-  switch (verdict) {
-    case Identifiability::identified:
-      return "identified";
-    case Identifiability::one_sided:
-      return "one-sided";
-    case Identifiability::flat:
-      return "flat";
-  }
-  return "";
-}
-
 double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double p) {
   Rows order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

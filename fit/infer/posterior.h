@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "fit/optimise/genetic.h"
+#include "fit/results/interval.h"
 #include "libtrack/rng.h"
 
 namespace swarmfit {
@@ -52,13 +53,6 @@ struct PosteriorRound {
   int kept = 0;       // of those
   double volume = 1;  // of the box that was drawn from
 };
-
-enum class Identifiability {
-  identified,
-  one_sided,  // the interval reaches a bound of the prior: only the other end says something
-  flat        // hardly narrower than the prior's
-};
-std::string to_string(Identifiability);
 
 // One coordinate.
 struct Marginal {

@@ -11,20 +11,6 @@
 
 namespace swarmfit {
 
-// One searched parameter, in physical units; where the search's axis is logarithmic or a square root, so is that of the prior.
-struct ParameterInterval {
-  std::size_t row = 0;  // of the model's parameter table
-  std::string name;
-  double median = 0, lower = 0, upper = 0;  // posterior, ends of the central 95 %
-  double contraction = 0;                   // 1 - variance / variance of the prior, on the search's axis
-  Identifiability verdict = Identifiability::flat;
-  std::string partner;  // the parameter with the strongest correlation, and that, on the search's axes; "": there is no other
-  double correlation = 0;
-};
-inline auto fields(ParameterInterval& p) {  // as bytes (fit/store/bytes.h)
-  return std::tie(p.row, p.name, p.median, p.lower, p.upper, p.contraction, p.verdict, p.partner, p.correlation);
-}
-
 // Root and logarithmic axes spread out what is next to nothing. An interval that keeps away from its bounds there, but not in physical
 // units, is one-sided, too.
 Identifiability verdict_in_units(const ParameterInterval& interval, double least, double most);

@@ -46,15 +46,12 @@ void check_keys(const std::map<std::string, Value>& requests, const char* flag, 
   }
 }
 
-// Where neither the papers nor fits go below zero, nothing may; what is searched on a logarithmic axis must be positive.
 void check_legal(const char* flag, const Parameter& row, double value) {
-  const bool positive = row.log, signless = std::min(row.scene.lower, row.fit.lower) >= 0;
-  if (std::isfinite(value) && (!signless || value >= 0) && (!positive || value > 0) && (!row.integer || value == std::round(value))) return;
-  throw InputError(fmt::format("{} {}={}: is not allowed; expected {}{}", flag, row.name, value,
-                               row.integer ? "a whole number" : "a number",
-                               positive   ? " greater than 0"
-                               : signless ? ", at least 0"
-                                          : ""));
+  try {
+    row.check(value);
+  } catch (const InputError& e) {
+    throw InputError(fmt::format("{} {}", flag, e.what()));
+  }
 }
 
 }  // namespace

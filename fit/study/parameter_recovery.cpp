@@ -11,6 +11,7 @@
 
 #include "fit/compare/facts.h"
 #include "fit/experiment/time_step.h"
+#include "fit/model_fit/parameter_posterior.h"
 #include "fit/store/kept.h"
 #include "libtrack/error.h"
 
@@ -60,8 +61,10 @@ std::optional<ParameterCase> one_case(const RecoveryOptions& options, const Comp
   return out;
 }
 
-ParameterCoverage coverage(const std::vector<ParameterCase>& cases, std::size_t k) {
+ParameterCoverage coverage(const std::vector<ParameterCase>& cases, std::size_t k, const Parameter& row, const std::string& length_unit) {
   ParameterCoverage out;
+  out.unit = to_string(row.unit, length_unit);
+  out.scale = scale_of(row.log, row.fit.lower);
   for (const ParameterCase& c : cases) {
     const ParameterInterval& found = c.found[k];
     out.name = found.name;
@@ -110,7 +113,8 @@ ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnPar
       break;
     if (on_case) on_case(out.cases.size());
   }
-  for (std::size_t k = 0; !out.cases.empty() && k < prior.searched().size(); ++k) out.parameters.push_back(coverage(out.cases, k));
+  for (std::size_t k = 0; !out.cases.empty() && k < prior.searched().size(); ++k)
+    out.parameters.push_back(coverage(out.cases, k, model.spec->parameters[prior.searched()[k]], options.film.unit));
   const int tests = std::max<int>(1, static_cast<int>(out.parameters.size()));
   std::tie(out.fewest, out.most) = coverage_band(static_cast<int>(out.cases.size()), tests);
   return out;

@@ -83,6 +83,7 @@ Power power(const Tracks& recording, const PowerOptions& options, const OnPower&
     ensemble.use_steps(fit.runs.steps);
     const auto parameters = parameter_values(model, fit);
     out.recovery.planted.push_back(model.name);
+    out.recovery.rows.push_back(planted_rows(model, recording.meta().unit));
     out.recovery.compared = fitted.run.named;
     out.recovery.parameters.push_back(parameters);
     out.recovery.confusion.emplace_back(options.compare.models.size(), 0);

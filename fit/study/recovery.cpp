@@ -60,6 +60,15 @@ std::vector<double> varied(const ModelChoice& model, std::vector<double> paramet
   return parameters;
 }
 
+std::vector<PlantedRow> planted_rows(const ModelChoice& model, const std::string& length_unit) {
+  std::vector<PlantedRow> out;
+  for (std::size_t k = 0; k < model.spec->parameters.size(); ++k) {
+    const Parameter& row = model.spec->parameters[k];
+    out.push_back({row.name, row.symbol, to_string(row.unit, length_unit), row.meaning, model.spec->uses(k, model.options)});
+  }
+  return out;
+}
+
 Tracks planted_recording(const ModelChoice& model, const std::vector<double>& parameters, PlantOptions film, const Scales& scales,
                          std::uint64_t seed) {
   film.seed = seed;
@@ -96,6 +105,7 @@ Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on
     const auto found = options.set.find(model.name);
     const auto set = found == options.set.end() ? std::map<std::string, double>{} : found->second;
     out.planted.push_back(model.name);
+    out.rows.push_back(planted_rows(model, options.film.unit));
     out.parameters.push_back(planted_parameters(model, options.scales, set));
     out.confusion.emplace_back(out.compared.size(), 0);
     for (int k = 1; k <= options.seeds; ++k) {

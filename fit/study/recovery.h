@@ -5,11 +5,11 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "fit/compare/compare.h"
 #include "fit/experiment/plant.h"
+#include "fit/results/recovery.h"
 #include "fit/store/checkpoint.h"
 
 namespace swarmfit {
@@ -24,33 +24,14 @@ struct RecoveryOptions {
   double spread = 2;  // planted values of fitted parameters are multiplied by up to this factor, or divided, anew for every recording
 };
 
-struct RecoveryCase {
-  std::size_t planted;             // index into RecoveryOptions::planted
-  std::uint64_t seed;              // of the recording and of the comparison
-  std::vector<double> parameters;  // planted, one per row of the model's table
-  std::vector<std::string> order;  // models by rank, those without a score last
-  std::vector<double> scores;      // in that order
-  std::vector<double> score_se;
-  std::vector<int> group;  // those of one group cannot be told apart (Certainty::group)
-  std::vector<double> goodness_p;
-  int rank_of_planted = 0;  // 0: its score is undefined
-};
-inline auto fields(RecoveryCase& c) {  // as bytes (fit/store/bytes.h)
-  return std::tie(c.planted, c.seed, c.parameters, c.order, c.scores, c.score_se, c.group, c.goodness_p, c.rank_of_planted);
-}
-
-struct Recovery {
-  std::vector<std::string> planted, compared;   // canonical names
-  std::vector<std::vector<double>> parameters;  // about which they are planted, one per row of each model's table
-  std::vector<RecoveryCase> cases;              // by planted model, then seed
-  std::vector<std::vector<int>> confusion;      // planted × compared: how often was it ranked first?
-};
-
 // Planted parameters of a model: the fit table's defaults in these scales, with some set by name. Throws InputError on an unknown name.
 std::vector<double> planted_parameters(const ModelChoice& model, const Scales& scales, const std::map<std::string, double>& set = {});
 
-// The same with every fitted parameter that is not in `set` multiplied by spread^u, u uniform on [-1, 1] and drawn from the seed, and kept
-// within the fit bounds. A search starts at the defaults: what it is to recover must lie elsewhere.
+// What its parameters are called.
+std::vector<PlantedRow> planted_rows(const ModelChoice& model, const std::string& length_unit);
+
+// The same values with every fitted parameter that is not in `set` multiplied by spread^u, u uniform on [-1, 1] and drawn from the seed,
+// and kept within the fit bounds. A search starts at the defaults: what it is to recover must lie elsewhere.
 std::vector<double> varied(const ModelChoice& model, std::vector<double> parameters, const Scales& scales, double spread,
                            std::uint64_t seed, const std::map<std::string, double>& set = {});
 

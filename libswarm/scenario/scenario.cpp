@@ -128,6 +128,7 @@ void set_parameter(Scenario& scene, std::string_view name, double value) {
   const Parameter& p = spec.parameters[static_cast<std::size_t>(row)];
   if (value != 0 && !has(scene, p.needs))
     throw InputError(fmt::format("{0}={1:g}: would do nothing, as there are no {2} here; expected 0, or no {0}", p.name, value, p.needs));
+  p.check(value);
   scene.parameters[static_cast<std::size_t>(row)] = value;
 }
 

@@ -90,8 +90,8 @@ struct Scenario {
 // A model with the defaults of its table: 100 agents in a reflecting box of side 20 about the origin.
 Scenario plain_scenario(const ModelChoice& model, int dims = 3);
 
-// Throws InputError "name...: what is wrong; what was expected": no such parameter, or one that acts on a part of the world which this one
-// has not.
+// Throws InputError "name...: what is wrong; what was expected": no such parameter, a value it cannot have, or one that acts on a part of
+// the world which this one has not.
 void set_parameter(Scenario& scene, std::string_view name, double value);
 
 // The reflecting box of this side about the origin, or with side 0 open space.

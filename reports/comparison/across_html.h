@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/compare/across.h"
+#include "fit/results/across.h"
 
 namespace swarmfit {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/compare/across.h"
+#include "fit/results/across.h"
 #include "reports/comparison/across_html.h"
 #include "reports/comparison/paper_tables.h"
 #include "reports/write/text_table.h"

@@ -5,13 +5,11 @@
 
 #include "reports/comparison/chart_data.h"
 #include "reports/comparison/html_sections.h"
+#include "reports/comparison/page_sections.h"
 #include "reports/comparison/words.h"
 #include "reports/motion/player.h"
 #include "reports/write/assets.h"
-#include "reports/write/html_table.h"
-#include "reports/write/number.h"
 #include "reports/write/page.h"
-#include "reports/write/run_folder.h"
 
 namespace swarmfit {
 namespace {
@@ -20,6 +18,12 @@ std::string policy() { return content_policy(assets::report_css, {assets::chart_
 
 PageValues page_values(const Comparison& c) {
   const Headline answer = headline(c);
+  std::string contents, shown, technical;
+  for (const PageSection& s : page_sections()) {
+    const std::string text = page_section(s.id, s.title, s.content(c).text);
+    (s.technical ? technical : shown) += text;
+    if (!text.empty() && *s.in_contents != '\0') contents += fmt::format("<li><a href=\"#{}\">{}</a></li>", s.id, s.in_contents);
+  }
   return {{"policy", policy()},
           {"css", std::string(assets::report_css)},
           {"chart_js", std::string(assets::chart_js)},
@@ -32,38 +36,12 @@ PageValues page_values(const Comparison& c) {
           {"badge", sections::badge(c).text},
           {"sentence", html_escaped(answer.sentence)},
           {"detail", html_escaped(answer.detail)},
-          {"facts", sections::data_facts(c).text},
-          {"warnings", sections::warnings(c).text},
-          {"ranking", sections::ranking(c).text},
           {"result_figure", sections::result_figure(c).text},
           {"strip", sections::strip(c).text},
-          {"heat_map", sections::heat_map(c).text},
-          {"pictures", sections::pictures(c).text},
-          {"convergence", sections::convergence(c).text},
-          {"posteriors", sections::posteriors(c).text},
-          {"settings", sections::settings(c).text},
-          {"final_replicates", std::to_string(c.run.budget.final_replicates)},
-          {"what_skill_means", html_escaped(what_skill_means(c))},
-          {"motion", sections::motion(c).text},
-          {"legend", sections::legend(c).text},
-          {"pdf_figures", sections::pdf_figures(c).text},
-          {"band_note", sections::band_note(c).text},
-          {"pdf_note", sections::pdf_note(c).text},
-          {"moments", sections::moments(c).text},
-          {"weights_converged", sections::weights_converged(c).text},
-          {"weights", sections::weights(c).text},
-          {"lags", sections::lags(c).text},
-          {"parameters", sections::parameters(c).text},
-          {"search", sections::search(c).text},
-          {"observation", sections::observation(c).text},
-          {"skill", sections::skill(c).text},
-          {"without", sections::without(c).text},
-          {"panel", sections::panel(c).text},
-          {"methods", sections::methods(c).text},
-          {"references", sections::references(c).text},
-          {"command", html_escaped(fmt::format("swarmfit {} --config config.toml --out NEW_FOLDER", c.run.command))},
-          {"provenance", sections::provenance(c).text},
-          {"config", html_escaped(config_toml(c.run.command, c.run.config))},
+          {"warnings", sections::warnings(c).text},
+          {"contents", contents},
+          {"sections", shown},
+          {"technical", technical},
           {"version", html_escaped(c.run.version)}};
 }
 

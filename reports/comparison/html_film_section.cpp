@@ -36,10 +36,8 @@ Html motion(const Comparison& c) {
   if (c.film.rows() == 0) return {};
   std::vector<Take> takes{{c.recording.data.format == "simulated" ? c.recording.data.path : "recording", &c.film}};
   for (std::size_t k = 0; k < c.models.size(); ++k) takes.push_back({c.models[k].model, &c.models[k].film, static_cast<int>(k)});
-  Html out = markup("<section id=\"motion\" aria-labelledby=\"motion-title\">\n<h2 id=\"motion-title\">In motion</h2>\n");
-  out += element("p", "", escaped(what_is_shown(c) + who_is_shown(c)));
+  Html out = element("p", "", escaped(what_is_shown(c) + who_is_shown(c)));
   out += player(takes, c.around);
-  out += markup("</section>\n");
   return out;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a report's page that depend on the result; the rest stands in assets/report.html.
+// What the sections of pages are made of (page_sections.h).
 #pragma once
 
 #include "fit/results/comparison.h"
@@ -17,9 +17,8 @@ Html heat_map(const Comparison&);       // signed misfit, model by metric
 Html pictures(const Comparison&);       // recording beside every model; nothing without pictures
 Html quality(const Comparison&);        // of the tracks over time
 Html convergence(const Comparison&);
-Html posteriors(const Comparison&);  // nothing without samples
-Html motion(
-    const Comparison&);  // films of the recording and every model in their surroundings, a section of its own; nothing without a film
+Html posteriors(const Comparison&);   // nothing without samples
+Html motion(const Comparison&);       // films of the recording and every model in their surroundings; nothing without a film
 Html settings(const Comparison&);     // what was kept fixed, and the time step
 Html legend(const Comparison&);       // check boxes of the charts
 Html pdf_figures(const Comparison&);  // an empty canvas per column

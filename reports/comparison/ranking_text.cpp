@@ -28,9 +28,7 @@ std::string data_line(const DataFacts& d) {
 
 Paint paint_of(const ModelFit& r) { return r.standing.rank == 1 ? Paint::good : Paint::plain; }
 
-std::string marks(const ModelFit& r) {
-  return std::string(contradictions(r).empty() ? "" : " !") + (at_bounds(r).empty() ? "" : " *");
-}
+std::string marks(const ModelFit& r) { return std::string(contradictions(r).empty() ? "" : " !") + (at_bounds(r).empty() ? "" : " *"); }
 
 TextTable ranking_table(const Comparison& c, const std::vector<const Quantity*>& columns, TextStyle style) {
   const auto row = [](const std::string& first, const std::string& model, const auto& rest) {

@@ -112,7 +112,7 @@ PageValues parts(const Evaluation& e, const PairPortrait& p, const std::string& 
           {"facts", files(c.recording.data, p.simulation).text},
           {"energies", energies(e).text},
           {"lags", html_escaped(lag_words(e))},
-          {"motion", sections::motion(c).text},
+          {"motion", page_section("motion", "In motion", sections::motion(c).text)},
           {"legend", sections::legend(c).text},
           {"pdf_figures", sections::pdf_figures(c).text},
           {"pdf_note", sections::pdf_note(c).text},

@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "fit/compare/portrait.h"
+#include "fit/results/portrait.h"
+#include "libeval/evaluation.h"
 
 namespace swarmfit {
 

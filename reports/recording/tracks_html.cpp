@@ -64,13 +64,6 @@ Html repairs(const TrackMeta& meta) {
   return out;
 }
 
-// A section, if there is something in it.
-Html titled(std::string_view id, std::string_view title, const Html& content) {
-  if (content.text.empty()) return {};
-  return {fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n", id, title,
-                      content.text)};
-}
-
 }  // namespace
 
 std::string tracks_html(const Comparison& c, const TrackMeta& meta, const Summary& summary, const TracksPage& page) {
@@ -87,10 +80,10 @@ std::string tracks_html(const Comparison& c, const TrackMeta& meta, const Summar
                  {"name", html_escaped(name)},
                  {"facts", sections::data_facts(c).text},
                  {"warnings", suspicions(summary).text},
-                 {"motion", sections::motion(c).text},
+                 {"motion", page_section("motion", "In motion", sections::motion(c).text)},
                  {"model", model_section(page).text},
-                 {"quality", titled("quality", "Quality of the tracks", sections::quality(c)).text},
-                 {"pictures", titled("pictures", "The group in pictures", sections::pictures(c)).text},
+                 {"quality", page_section("quality", "Quality of the tracks", sections::quality(c).text)},
+                 {"pictures", page_section("pictures", "The group in pictures", sections::pictures(c).text)},
                  {"pdf_figures", sections::pdf_figures(c).text},
                  {"contents", contents_table(contents_rows(meta, summary)).text},
                  {"quantiles", quantile_table(quantile_rows(meta, summary)).text},

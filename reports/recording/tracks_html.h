@@ -17,7 +17,7 @@ struct TracksPage {
   std::optional<ModelCard> model;  // which made the tracks, if one did
 };
 
-// Of a portrait (fit/compare/portrait.h) and a summary of the same tracks. As safe as report_html.
+// Of a portrait and a summary of the same tracks. As safe as report_html.
 std::string tracks_html(const Comparison& portrait, const TrackMeta&, const Summary&, const TracksPage&);
 
 }  // namespace swarmfit

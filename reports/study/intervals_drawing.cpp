@@ -38,13 +38,13 @@ plot::Axis axis_of(const plot::Range& range, AxisScale scale, double room) {
   return axis;
 }
 
-Frame frame_of(const ParameterRecovery& r, std::size_t k, const Parameter& row) {
+Frame frame_of(const ParameterRecovery& r, std::size_t k) {
   plot::Range truth, found;
   for (const ParameterCase& c : r.cases) {
     truth.include(c.truth[k]);
     for (const double value : {c.truth[k], c.found[k].lower, c.found[k].median, c.found[k].upper}) found.include(value);
   }
-  AxisScale scale = scale_of(row.log, row.fit.lower);
+  AxisScale scale = r.parameters[k].scale;
   if ((scale == AxisScale::logarithmic && found.lower <= 0) || (scale == AxisScale::root && found.lower < 0)) scale = AxisScale::linear;
   return {axis_of(truth, scale, kWidth), axis_of(found, scale, 0)};
 }
@@ -89,16 +89,14 @@ std::string interval(const Frame& f, const ParameterCase& c, std::size_t k) {
 
 }  // namespace
 
-Html intervals_drawing(const ParameterRecovery& r, std::size_t k, const std::string& length_unit) {
-  const ModelChoice model = parse_model(r.model);
-  const Parameter& row = model.spec->parameters[r.cases.front().found[k].row];
-  const Frame f = frame_of(r, k, row);
+Html intervals_drawing(const ParameterRecovery& r, std::size_t k) {
+  const Frame f = frame_of(r, k);
   const ParameterCoverage& p = r.parameters[k];
   std::string out = fmt::format(
       "<svg class=\"recovered\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"95 % intervals of {} against its true value: {} of {} hold "
       "it\">",
       kRight + 8, kBottom + 24, html_escaped(p.name), p.covered, p.recordings);
-  out += axes(f, unit_in_print(to_string(row.unit, length_unit))) + diagonal(f);
+  out += axes(f, unit_in_print(p.unit)) + diagonal(f);
   for (const ParameterCase& c : r.cases) out += interval(f, c, k);
   return {out + "</svg>"};
 }

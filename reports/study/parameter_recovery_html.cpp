@@ -54,12 +54,12 @@ Html coverage(const ParameterRecovery& r) {
   return out;
 }
 
-Html drawings(const ParameterRecovery& r, const std::string& unit) {
+Html drawings(const ParameterRecovery& r) {
   Html figures;
   for (std::size_t k = 0; k < r.parameters.size(); ++k) {
     const ParameterCoverage& p = r.parameters[k];
     Html figure = element("h3", "", escaped(p.name));
-    figure += intervals_drawing(r, k, unit);
+    figure += intervals_drawing(r, k);
     figure += element("figcaption", "", escaped(fmt::format("{} of {} intervals contain the true value", p.covered, p.recordings)));
     figures += element("figure", "", figure);
   }
@@ -111,7 +111,7 @@ std::string parameter_recovery_html(const ParameterRecovery& r, const Settings& 
   if (!r.cases.empty()) {
     page.detail = coverage_band_text(r) + left_out_text(r);
     page.sections = {{"coverage", "Coverage", coverage(r)},
-                     {"intervals", "Intervals against true values", drawings(r, setting(settings, "unit"))},
+                     {"intervals", "Intervals against true values", drawings(r)},
                      {"recordings", "Recording by recording", cases(r)}};
   }
   page.files = markup("<code>recovery.json</code>, <code>tables/cases.csv</code>");

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fit/study/parameter_recovery.h"
+#include "fit/results/parameter_recovery.h"
 #include "reports/write/html_table.h"
 #include "reports/write/run_folder.h"
 
@@ -14,7 +14,7 @@ std::string coverage_sentence(const ParameterRecovery&);
 
 // One parameter (an index into ParameterRecovery::parameters): every recording's interval above its true value, with the line on which both
 // are equal; intervals that miss the truth are dashed, and crossed where the truth lies.
-Html intervals_drawing(const ParameterRecovery&, std::size_t parameter, const std::string& length_unit);
+Html intervals_drawing(const ParameterRecovery&, std::size_t parameter);
 
 // The page of a parameter recovery.
 std::string parameter_recovery_html(const ParameterRecovery&, const Settings& settings, const std::string& version);

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "fit/study/parameter_recovery.h"
+#include "fit/results/parameter_recovery.h"
 #include "reports/study/recovery_report.h"
 
 namespace swarmfit {

@@ -76,7 +76,7 @@ std::string power_html(const Power& p, const Settings& settings) {
                  fitted.run.version};
   page.sections = {{"pairs", "How much more data it would take", pairs(p)},
                    {"matrices", "Which models are distinguished", matrices(p)},
-                   {"planted", "True parameters", sections::planted_parameters(p.recovery, fitted.recording.data.unit)},
+                   {"planted", "True parameters", sections::planted_parameters(p.recovery)},
                    {"recordings", "Recording by recording", sections::cases_table(p.recovery)}};
   page.files = markup("<code>power.json</code>, <code>tables/pairs.csv</code>, <code>tables/cases.csv</code>");
   return study_html(page);

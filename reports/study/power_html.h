@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fit/study/power.h"
+#include "fit/results/power.h"
 #include "reports/write/run_folder.h"
 
 namespace swarmfit {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "fit/study/power.h"
+#include "fit/results/power.h"
 #include "reports/study/recovery_report.h"
 
 namespace swarmfit {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "fit/results/estimate.h"
+
 namespace swarmfit::counts_of {
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "fit/study/recovery.h"
+#include "fit/results/recovery.h"
 
 namespace swarmfit::counts_of {
 

@@ -53,7 +53,7 @@ Html parameters(const Recovery& r, const Settings& settings) {
         escaped(fmt::format("For each recording, true parameters were drawn within a factor of {} of the defaults, so that no search "
                             "starts at the truth.",
                             spread)));
-  out += sections::planted_parameters(r, setting(settings, "unit"));
+  out += sections::planted_parameters(r);
   return out;
 }
 

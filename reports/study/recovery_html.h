@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fit/study/recovery.h"
+#include "fit/results/recovery.h"
 #include "reports/write/run_folder.h"
 
 namespace swarmfit {

@@ -25,11 +25,10 @@ std::vector<std::string> confusion_row(const Recovery& r, std::size_t p) {
   return row;
 }
 
-Json parameters(const std::string& name, const std::vector<double>& values) {
+Json parameters(const std::vector<PlantedRow>& rows, const std::vector<double>& values) {
   Json out = Json::object();
-  const ModelChoice model = parse_model(name);
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (model.spec->uses(k, model.options)) out[std::string(model.spec->parameters[k].name)] = values[k];
+    if (rows[k].used) out[rows[k].name] = values[k];
   return out;
 }
 
@@ -83,14 +82,14 @@ std::string to_json(const Recovery& r, const Settings& conditions) {
   for (const auto& [name, value] : conditions) settings[name] = value;
   for (std::size_t p = 0; p < r.planted.size(); ++p)
     planted.push_back({{"name", r.planted[p]},
-                       {"parameters", parameters(r.planted[p], r.parameters[p])},
+                       {"parameters", parameters(r.rows[p], r.parameters[p])},
                        {"ranked_first", r.confusion[p]},
                        {"recovered", counts_of::recovered(r, p)},
                        {"recordings", counts_of::recordings(r, p)}});
   for (const RecoveryCase& c : r.cases)
     cases.push_back({{"planted", r.planted[c.planted]},
                      {"seed", c.seed},
-                     {"parameters", parameters(r.planted[c.planted], c.parameters)},
+                     {"parameters", parameters(r.rows[c.planted], c.parameters)},
                      {"order", c.order},
                      {"scores", c.scores},
                      {"score_se", c.score_se},

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "fit/study/recovery.h"
+#include "fit/results/recovery.h"
 #include "reports/comparison/paper_tables.h"
 #include "reports/write/run_folder.h"
 #include "reports/write/text_table.h"

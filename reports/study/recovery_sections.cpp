@@ -104,8 +104,7 @@ bool drawn_anew(const Recovery& r, std::size_t p) {
   return false;
 }
 
-Html parameter_table(const Recovery& r, std::size_t p, const std::string& unit) {
-  const ModelChoice model = parse_model(r.planted[p]);
+Html parameter_table(const Recovery& r, std::size_t p) {
   const bool ranges = drawn_anew(r, p);
   HtmlTable table(fmt::format("True parameters of {}", r.planted[p]));
   Cells head{column("parameter"), column("symbol"), column(ranges ? "true value about" : "true value", true)};
@@ -113,12 +112,12 @@ Html parameter_table(const Recovery& r, std::size_t p, const std::string& unit) 
   head.insert(head.end(), {column("unit"), column("meaning")});
   table.head(head);
   for (std::size_t k = 0; k < r.parameters[p].size(); ++k) {
-    if (!model.spec->uses(k, model.options)) continue;
-    const Parameter& row = model.spec->parameters[k];
+    const PlantedRow& row = r.rows[p][k];
+    if (!row.used) continue;
     const Planted range = planted_range(r, p, k);
     Cells cells{name_cell(escaped(row.name)), text_cell(row.symbol), number_cell(rounded(r.parameters[p][k], 4))};
     if (ranges) cells.insert(cells.end(), {number_cell(rounded(range.least, 4)), number_cell(rounded(range.greatest, 4))});
-    cells.insert(cells.end(), {text_cell(unit_in_print(to_string(row.unit, unit))), text_cell(row.meaning)});
+    cells.insert(cells.end(), {text_cell(unit_in_print(row.unit)), text_cell(row.meaning)});
     table.row(cells);
   }
   return table.html();
@@ -175,12 +174,12 @@ Html overlap_table(const Recovery& r) {
   return table.sortable().html();
 }
 
-Html planted_parameters(const Recovery& r, const std::string& length_unit) {
+Html planted_parameters(const Recovery& r) {
   Html out;
   for (std::size_t p = 0; p < r.planted.size(); ++p) {
     out += Html{p == 0 ? "<details open>" : "<details>"};
     out += element("summary", "", escaped(r.planted[p]));
-    out += parameter_table(r, p, length_unit);
+    out += parameter_table(r, p);
     out += markup("</details>\n");
   }
   return out;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "fit/study/recovery.h"
+#include "fit/results/recovery.h"
 #include "reports/write/html_table.h"
 
 namespace swarmfit::sections {
@@ -17,7 +17,7 @@ Html rejection_matrix(const Recovery&);   // which are rejected
 Html how_matrices_read();
 
 Html overlap_table(const Recovery&);  // every two models: distinguished or not
-Html planted_parameters(const Recovery&, const std::string& length_unit);
+Html planted_parameters(const Recovery&);
 Html cases_table(const Recovery&);  // a row per recording, folded in
 
 }  // namespace swarmfit::sections

@@ -9,18 +9,9 @@
 #include "reports/write/plain_text.h"
 
 namespace swarmfit {
-namespace {
-
-std::string section_text(const StudySection& s) {
-  return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n", s.id,
-                     html_escaped(s.title), s.content.text);
-}
-
-}  // namespace
-
 std::string study_html(const StudyPage& page) {
   std::string sections;
-  for (const StudySection& s : page.sections) sections += section_text(s);
+  for (const StudySection& s : page.sections) sections += page_section(s.id, s.title, s.content.text);
   return filled(assets::study_html,
                 {{"policy", content_policy(assets::report_css, {assets::sort_js})},
                  {"css", std::string(assets::report_css)},

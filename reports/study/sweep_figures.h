@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/sweep.h"
+#include "fit/results/sweep.h"
 
 namespace swarmfit {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "fit/study/sweep.h"
+#include "fit/results/sweep.h"
 #include "reports/write/run_folder.h"
 #include "reports/write/text_table.h"
 

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "libtrack/error.h"
+#include "reports/write/html_table.h"
 
 namespace swarmfit {
 namespace {
@@ -32,6 +33,12 @@ std::string filled(std::string_view page, const PageValues& values) {
     out += values.at(std::string(page.substr(open + 2, close - open - 2)));
     page.remove_prefix(close + 2);
   }
+}
+
+std::string page_section(std::string_view id, std::string_view title, std::string_view content) {
+  if (content.empty()) return {};
+  return fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n", id,
+                     html_escaped(title), content);
 }
 
 std::string content_policy(std::string_view style, const std::vector<std::string_view>& scripts) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fit/study/parameter_recovery.h"
+#include "fit/model_fit/parameter_posterior.h"
 
 #include <gmock/gmock.h>
 

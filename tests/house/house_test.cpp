@@ -48,6 +48,7 @@ Breaches in_all_sources(Breaches (*rule)(const Source&)) {
 TEST(House, HasSources) { EXPECT_GT(sources().size(), 20U); }
 TEST(House, IncludesFollowTheArrows) { EXPECT_THAT(in_all_sources(check_arrows), testing::IsEmpty()); }
 TEST(House, IncludesPointDownWithinARoom) { EXPECT_THAT(in_all_sources(check_sub_rooms), testing::IsEmpty()); }
+TEST(House, NoRoomIsReachedRoundACorner) { EXPECT_THAT(check_reach(sources()), testing::IsEmpty()); }
 TEST(House, LibrariesStayInTheirRooms) { EXPECT_THAT(in_all_sources(check_libraries), testing::IsEmpty()); }
 TEST(House, OneFileIncludesCli11) { EXPECT_THAT(check_cli11(sources()), testing::IsEmpty()); }
 TEST(House, NothingBelowCliPrintsOrLooksOutside) { EXPECT_THAT(in_all_sources(check_calls), testing::IsEmpty()); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <regex>
 #include <sstream>
 
@@ -190,6 +191,32 @@ Breaches check_arrows(const Source& source) {
       breaches.push_back(place(source, include.line) + include.name + " must be written \"room/file.h\" if ours, <like/this> if not");
     else if (ours && !contains(arrow->may_include, room))
       breaches.push_back(place(source, include.line) + std::string(source.room()) + "/ may not include " + include.name);
+  }
+  return breaches;
+}
+
+Breaches check_reach(const std::vector<Source>& sources) {
+  std::map<std::string, std::vector<std::string>> includes;
+  for (const auto& source : sources)
+    for (const auto& include : includes_of(source))
+      if (include.quoted) includes[source.path].push_back(include.name);
+  Breaches breaches;
+  for (const auto& source : sources) {
+    const auto arrow = std::find_if(kArrows.begin(), kArrows.end(), [&](const Arrow& a) { return a.room == source.room(); });
+    if (arrow == kArrows.end()) continue;
+    std::map<std::string, std::string> by{{source.path, ""}};  // through which file each was reached
+    for (std::vector<std::string> open{source.path}; !open.empty();) {
+      const std::string file = open.back();
+      open.pop_back();
+      for (const auto& next : includes[file]) {
+        if (!by.emplace(next, file).second) continue;
+        const auto room = std::string_view(next).substr(0, next.find('/'));
+        if (contains(arrow->may_include, room))
+          open.push_back(next);
+        else
+          breaches.push_back(source.path + ": reaches " + next + " through " + file);
+      }
+    }
   }
   return breaches;
 }

@@ -36,6 +36,9 @@ Breaches check_arrows(const Source&);
 // Within a room the sub-rooms are floors: an include may only point down, or stay. Since every include obeys, so does every chain of them.
 Breaches check_sub_rooms(const Source&);
 
+// Nor does any file reach such a room through what its includes include.
+Breaches check_reach(const std::vector<Source>&);
+
 // A library may be included only where its row of the table says, and a heavy one never in a header.
 Breaches check_libraries(const Source&);
 

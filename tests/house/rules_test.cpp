@@ -8,6 +8,7 @@
 namespace swarmfit::house {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -56,6 +57,18 @@ TEST(Arrows, WithinARoomTheyPointDown) {
   EXPECT_THAT(check_sub_rooms(source("reports/a.cpp", "")), ElementsAre(HasSubstr("no sub-room")));
   EXPECT_THAT(check_sub_rooms(source("fit/attic/a.cpp", "")), ElementsAre(HasSubstr("no sub-room")));
   EXPECT_THAT(check_sub_rooms(source("cli/a.cpp", "#include \"fit/study/b.h\"\n")), IsEmpty());
+}
+
+// A header that may be included may itself include what may not.
+TEST(Arrows, AreFollowedToTheEnd) {
+  const std::vector<Source> honest{source("reports/run/a.h", "#include \"fit/study/b.h\"\n"),
+                                   source("fit/study/b.h", "#include \"fit/results/c.h\"\n"),
+                                   source("fit/results/c.h", "#include \"libeval/d.h\"\n")};
+  EXPECT_THAT(check_reach(honest), IsEmpty());
+  std::vector<Source> sly = honest;
+  sly[2] = source("fit/results/c.h", "#include \"libswarm/d.h\"\n");
+  EXPECT_THAT(check_reach(sly),
+              ElementsAre(AllOf(HasSubstr("reports/run/a.h"), HasSubstr("reaches libswarm/d.h through fit/results/c.h"))));
 }
 
 TEST(Arrows, NewRoomsAreAQuestion) { EXPECT_THAT(check_arrows(source("utils/a.cpp", "")), ElementsAre(HasSubstr("no room"))); }

@@ -59,8 +59,8 @@ TEST(Report, PlacesBetweenBoundsAreThoseOfTheSearch) {
 
 TEST(Report, HasEverySectionAndNoPlaceholderLeft) {
   const std::string page = markup_of(report_html(sample_comparison()));
-  for (const char* id : {"result", "ranking", "energies", "pictures", "distributions", "parameters", "weights", "search", "observation",
-                         "methods", "repeat"})
+  for (const char* id :
+       {"result", "ranking", "energies", "distributions", "parameters", "weights", "search", "observation", "methods", "repeat"})
     EXPECT_THAT(page, HasSubstr("<section id=\"" + std::string(id) + '"'));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
   EXPECT_THAT(page, HasSubstr("<h1>bswarm matches the recording best.</h1>"));

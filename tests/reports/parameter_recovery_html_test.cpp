@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "libswarm/model_spec.h"
 #include "libtrack/file.h"
 #include "reports/study/parameter_recovery_report.h"
 
@@ -20,7 +21,9 @@ ParameterRecovery sample() {
   const auto spec = parse_model("brownian").spec;
   const std::string a(spec->parameters[0].name), b(spec->parameters[1].name);
   ParameterRecovery r{"brownian", {}, {}, 3, 2, 2};
-  r.parameters = {{a, 2, 1, 2, 0, 0, 0.01, 0.02, 0.05}, {b, 2, 2, 0, 1, 1, -0.1, 0.2, 0.7}};
+  const auto scale = [&](std::size_t row) { return scale_of(spec->parameters[row].log, spec->parameters[row].fit.lower); };
+  const auto unit = [&](std::size_t row) { return to_string(spec->parameters[row].unit, "mm"); };
+  r.parameters = {{a, unit(0), scale(0), 2, 1, 2, 0, 0, 0.01, 0.02, 0.05}, {b, unit(1), scale(1), 2, 2, 0, 1, 1, -0.1, 0.2, 0.7}};
   const ParameterInterval one{0, a, 5, 4, 6, 0.99, Identifiability::identified, b, 0.3},
       two{1, b, 1, 0.5, 3, 0.1, Identifiability::flat, a, 0.3};
   r.cases = {{7, {4.5, 2}, {one, two}, {0.4, 0.6}, {0.5, 0.5}, {0.05, 0.8}},
@@ -77,20 +80,16 @@ std::vector<double> numbers_in(const std::string& drawn, const std::regex& eleme
 TEST(ParameterRecoveryPage, AMedianThatIsTheTruthLiesOnTheLine) {
   const std::regex equal(R"re(class="equal" x1="([^"]+)" y1="([^"]+)" x2="([^"]+)" y2="([^"]+)")re"),
       dot(R"re(cx="([^"]+)" cy="([^"]+)")re");
-  for (const char* model : {"brownian", "bswarm"})
-    for (std::size_t row = 0; row < parse_model(model).spec->parameters.size(); ++row) {
-      ParameterRecovery r = sample();
-      r.model = model;
-      for (ParameterCase& c : r.cases) {
-        c.found[0].row = row;
-        c.found[0].median = c.truth[0];
-      }
-      const std::string drawn = intervals_drawing(r, 0, "mm").text;
-      const auto line = numbers_in(drawn, equal), at = numbers_in(drawn, dot);
-      ASSERT_EQ(line.size(), 4u);
-      ASSERT_EQ(at.size(), 2u);
-      EXPECT_NEAR(line[1] + (line[3] - line[1]) * (at[0] - line[0]) / (line[2] - line[0]), at[1], 0.05) << model << ' ' << row;
-    }
+  for (const AxisScale scale : {AxisScale::linear, AxisScale::root, AxisScale::logarithmic}) {
+    ParameterRecovery r = sample();
+    r.parameters[0].scale = scale;
+    for (ParameterCase& c : r.cases) c.found[0].median = c.truth[0];
+    const std::string drawn = intervals_drawing(r, 0).text;
+    const auto line = numbers_in(drawn, equal), at = numbers_in(drawn, dot);
+    ASSERT_EQ(line.size(), 4u);
+    ASSERT_EQ(at.size(), 2u);
+    EXPECT_NEAR(line[1] + (line[3] - line[1]) * (at[0] - line[0]) / (line[2] - line[0]), at[1], 0.05);
+  }
 }
 
 TEST(ParameterRecoveryPage, OneRecordingAloneIsDrawnToo) {
@@ -98,7 +97,7 @@ TEST(ParameterRecoveryPage, OneRecordingAloneIsDrawnToo) {
   r.cases.resize(1);
   for (ParameterInterval& p : r.cases[0].found) p.lower = p.median = p.upper = r.cases[0].truth[p.row] = 0;
   for (std::size_t k = 0; k < 2; ++k) {
-    const std::string drawn = intervals_drawing(r, k, "mm").text;
+    const std::string drawn = intervals_drawing(r, k).text;
     EXPECT_THAT(drawn, Not(HasSubstr("nan")));
     EXPECT_THAT(drawn, Not(HasSubstr("inf")));
   }

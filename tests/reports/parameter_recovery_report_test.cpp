@@ -16,7 +16,8 @@ using testing::HasSubstr;
 
 ParameterRecovery sample() {
   ParameterRecovery r{"brownian", {}, {}, 3, 181, 197};
-  r.parameters = {{"D", 2, 1, 2, 0, 0, 0.01, 0.02, 0.05}, {"k", 2, 2, 0, 1, 1, -0.1, 0.2, 0.7}};
+  r.parameters = {{"D", "mm^2/s^3", AxisScale::logarithmic, 2, 1, 2, 0, 0, 0.01, 0.02, 0.05},
+                  {"k", "1/s^2", AxisScale::root, 2, 2, 0, 1, 1, -0.1, 0.2, 0.7}};
   ParameterInterval d{0, "D", 5, 4, 6, 0.99, Identifiability::identified, "k", 0.3},
       k{1, "k", 1, 0, 3, 0.1, Identifiability::flat, "D", 0.3};
   r.cases = {{7, {4.5, 2}, {d, k}, {0.4, 0.6}, {0.5, 0.5}, {0.05, 0.8}}};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "fit/study/recovery.h"
 #include "libtrack/file.h"
 #include "reports/study/power_report.h"
 #include "tests/reports/sample.h"
@@ -21,7 +22,10 @@ Power sample() {
   Power p;
   p.fitted = sample_comparison();
   p.recovery.planted = p.recovery.compared = {"bswarm", "boids"};
-  for (const auto& name : p.recovery.planted) p.recovery.parameters.emplace_back(parse_model(name).spec->parameters.size(), 1.0);
+  for (const auto& name : p.recovery.planted) {
+    p.recovery.rows.push_back(planted_rows(parse_model(name), "mm"));
+    p.recovery.parameters.emplace_back(p.recovery.rows.back().size(), 1.0);
+  }
   p.recovery.cases = {{0, 2, p.recovery.parameters[0], {"bswarm", "boids"}, {0.9, 0.1}, {0.01, 0.01}, {1, 1}, {0.3, 0.01}, 1}};
   p.recovery.confusion = {{1, 0}, {0, 0}};
   p.pairs = {{0, 1, 3, 2, 1, 0.05, 0.05, 2.7}, {1, 0, 3, 3, 3, 0.4, 0.1, 1}};

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "fit/study/recovery.h"
 #include "libtrack/file.h"
 
 namespace swarmfit {
@@ -19,7 +20,8 @@ Power sample() {
   Power p;
   p.recovery.planted = p.recovery.compared = {"bswarm", "boids", "brownian"};
   for (const auto& name : p.recovery.planted) {
-    p.recovery.parameters.emplace_back(parse_model(name).spec->parameters.size(), 1.0);
+    p.recovery.rows.push_back(planted_rows(parse_model(name), "mm"));
+    p.recovery.parameters.emplace_back(p.recovery.rows.back().size(), 1.0);
     p.recovery.confusion.emplace_back(3, 0);
   }
   p.pairs = {{0, 1, 3, 3, 3, 0.5, 0.1, 1},    {0, 2, 3, 2, 1, 0.05, 0.05, 2.7}, {1, 0, 3, 3, 3, 0.5, 0.1, 1},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "fit/study/recovery.h"
 #include "libtrack/file.h"
 #include "reports/study/recovery_report.h"
 
@@ -19,7 +20,10 @@ using testing::Not;
 Recovery sample() {
   Recovery r;
   r.planted = r.compared = {"bswarm", "boids"};
-  for (const auto& name : r.planted) r.parameters.emplace_back(parse_model(name).spec->parameters.size(), 1.0);
+  for (const auto& name : r.planted) {
+    r.rows.push_back(planted_rows(parse_model(name), "mm"));
+    r.parameters.emplace_back(r.rows.back().size(), 1.0);
+  }
   auto doubled = r.parameters[0];
   for (double& value : doubled) value = 2.5;
   r.cases = {{0, 1, r.parameters[0], {"bswarm", "boids"}, {0.9, 0.1}, {0.01, 0.01}, {1, 2}, {0.3, 0.01}, 1},

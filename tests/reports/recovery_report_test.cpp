@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "fit/study/recovery.h"
 #include "libtrack/file.h"
 
 namespace swarmfit {
@@ -17,7 +18,10 @@ using testing::HasSubstr;
 Recovery sample() {
   Recovery r;
   r.planted = r.compared = {"bswarm", "boids"};
-  for (const auto& name : r.planted) r.parameters.emplace_back(parse_model(name).spec->parameters.size(), 1.0);
+  for (const auto& name : r.planted) {
+    r.rows.push_back(planted_rows(parse_model(name), "mm"));
+    r.parameters.emplace_back(r.rows.back().size(), 1.0);
+  }
   const auto& p = r.parameters;
   r.cases = {{0, 1, p[0], {"bswarm", "boids"}, {0.9, 0.1}, {0.01, NAN}, {1, 2}, {0.3, 0.01}, 1},
              {1, 1, p[1], {"bswarm", "boids"}, {0.6, 0.4}, {0.01, 0.02}, {1, 1}, {0.5, 0.04}, 2}};

@@ -106,6 +106,7 @@ TEST(ScenarioFile, FaultsAreNamedWithTheirPlace) {
       {std::string(kTop) + "frames = 0", ":3:10: frames = 0 is not allowed; expected a whole number from 1 to 10000000"},
       {std::string(kTop) + "fps = nan", ":3:7: fps  is not allowed; expected a number from 1e-06 to 1e+09"},
       {std::string(kTop) + "dims = 4", ":3:8: dims = 4 is not allowed; expected a whole number from 2 to 3"},
+      {std::string(kTop) + "[parameters]\ntau = -1", ":4:7: [parameters] tau=-1: is not allowed; expected a number greater than 0"},
       {std::string(kTop) + "[parameters]\nradios = 1", ":4:10: [parameters] radios: boids has no such parameter; expected one of "},
       {std::string(kTop) + "[bounds]\nshape = \"cube\"",
        ":4:9: [bounds] shape = 'cube' is not allowed; expected one of open, box, sphere, "},
