@@ -49,7 +49,7 @@ struct Parameter {
   Range scene = {};         // default and bounds in simulation units, as in the papers: for scenes
   Range fit = {};           // default and bounds in a fit, in multiples of L^length T^time (or NND^length)
   Length length = Length::extent;
-  bool log = false;          // searched on a logarithmic scale; needs a positive lower bound
+  bool log = false;          // searched on a logarithmic scale; needs a positive lower bound of fits
   bool fitted = false;       // searched by default
   bool published = false;    // searched by Ren et al. 2016 (Tables S17 to S20, and λ in their comparison of noises)
   std::string when = {};     // used only with these options: "noise=curl|perlin,interaction=on" (| or, comma and); empty: always

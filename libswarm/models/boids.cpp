@@ -15,6 +15,7 @@
 // the steering acceleration, so the path does not depend on the time step.
 #include <cmath>
 
+#include "libswarm/flock_sums.h"
 #include "libswarm/model.h"
 #include "libswarm/noise.h"
 #include "libswarm/parallel.h"
@@ -31,19 +32,28 @@ constexpr double kSeparation = 1.5, kAlignment = 1, kCohesion = 1;
 
 Array3d unit(const Array3d& a) {
   const double length = std::sqrt(a.square().sum());
-  return length > 0 ? Array3d(a / length) : Array3d(Array3d::Zero());
+  return length > 0 ? Array3d(a * (1 / length)) : Array3d(Array3d::Zero());
 }
+
+struct Buffers : Workspace {
+  SlotVelocities velocities;
+};
 
 class Boids : public Model {
  public:
   explicit Boids(const Setup& setup) : dims_(setup.dims) {}
 
+  std::unique_ptr<Workspace> workspace(const World&, const Rng&) const override { return std::make_unique<Buffers>(); }
+
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
+    SlotVelocities& velocities = static_cast<Buffers*>(c.work)->velocities;
     c.near.build(now.pos, world.bounds, c.p[kRadius]);
-    const double speed = c.p[kSpeed];
+    velocities.take(c.near, now.vel);
+    const double speed = c.p[kSpeed], turn = speed / c.p[kTau] * c.dt;
     for_each_agent(now.size(), [&](Index i, std::size_t) {
       const Array3d before = now.vel.row(i).transpose();
-      Array3d heading = unit(before + speed / c.p[kTau] * c.dt * steering(now, i, c));
+      const Array3d steering = steered(flock_sums(c.near, velocities, i, c.p[kRadius] / 2, c.p[kRadius]));
+      Array3d heading = unit(before + turn * steering);
       if ((heading == 0).all()) heading = at_rest(now, i, c);
       const Array3d v = speed * heading;
       next.vel.row(i) = v.transpose();
@@ -53,15 +63,8 @@ class Boids : public Model {
   }
 
  private:
-  Array3d steering(const State& now, Index i, const StepContext& c) const {
-    const double personal = c.p[kRadius] / 2;
-    Array3d separation = Array3d::Zero(), alignment = Array3d::Zero(), cohesion = Array3d::Zero();
-    c.near.visit(i, [&](Index j, const Array3d& offset, double distance) {
-      if (distance < personal && distance > 0) separation -= offset / (distance * distance);
-      alignment += (now.vel.row(j) - now.vel.row(i)).transpose();
-      cohesion += offset;
-    });
-    return kSeparation * unit(separation) + kAlignment * unit(alignment) + kCohesion * unit(cohesion);
+  static Array3d steered(const FlockSums& sums) {
+    return kSeparation * unit(sums.separation) + kAlignment * unit(sums.alignment) + kCohesion * unit(sums.cohesion);
   }
 
   // An agent without any velocity flies in a direction of its own.

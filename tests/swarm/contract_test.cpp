@@ -120,9 +120,10 @@ TEST(EverySpec, TableIsSound) {
         EXPECT_LT(range.lower, range.upper);
         EXPECT_LE(range.lower, range.initial);
         EXPECT_LE(range.initial, range.upper);
-        if (p.log) {
-          EXPECT_GT(range.lower, 0);
-        }
+      }
+      if (p.log) {
+        EXPECT_GT(p.fit.lower, 0);
+        EXPECT_GE(p.scene.lower, 0) << "0: a scene may do without what it stands for";
       }
     }
   }
