@@ -2,6 +2,7 @@
 // Do intervals hold the parameters with which recordings were made?
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -18,9 +19,13 @@ struct ParameterCase {
   std::vector<double> truth;  // searched parameters, in table order, physical units
   std::vector<ParameterInterval> found;
   std::vector<double> truth_place, median_place, width;  // on the axes of the search, 0 .. 1: true value, posterior median, 95 % interval
+  // Of the posterior under the prior that true values were drawn from: share below the true value, per parameter, and share nearer to a
+  // random point than the truth is, for all together. Uniform on 0 .. 1 over recordings if posteriors are right; NaN: no sample there.
+  std::vector<double> rank = {};
+  double nearer = NAN;
 };
 inline auto fields(ParameterCase& c) {  // as bytes (fit/store/bytes.h)
-  return std::tie(c.seed, c.truth, c.found, c.truth_place, c.median_place, c.width);
+  return std::tie(c.seed, c.truth, c.found, c.truth_place, c.median_place, c.width, c.rank, c.nearer);
 }
 
 // One parameter over all recordings; biases and errors on the axis of the search, as a share of its range.
@@ -30,6 +35,7 @@ struct ParameterCoverage {
   int recordings = 0, covered = 0;
   int identified = 0, one_sided = 0, flat = 0;  // verdicts
   double bias = 0, rmse = 0, width = 0;         // of the median: mean and root mean square of its error; mean width of the interval
+  double from_uniform = NAN;                    // largest distance of the distribution of ranks from the uniform one
 };
 
 struct ParameterRecovery {
@@ -37,8 +43,9 @@ struct ParameterRecovery {
   std::vector<ParameterCase> cases;
   std::vector<ParameterCoverage> parameters;
   int left_out = 0;  // plants outside what a fit of them would search, or that carry no fit
-  int fewest,
-      most;  // covered of so many recordings by intervals that hold the truth 95 times in 100: central 99 % of the binomial, Bonferroni
+  // Covered of so many recordings by intervals that hold the truth 95 times in 100: central 99 % of the binomial, Bonferroni.
+  int fewest = 0, most = 0;
+  double from_uniform = NAN, uniform_band = NAN;  // as of one parameter, for all together; what chance exceeds in 5 % of studies
 };
 
 }  // namespace swarmfit

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/comparison/words.h"
 #include "reports/study/parameter_recovery_report.h"
@@ -71,6 +72,42 @@ Html drawings(const ParameterRecovery& r) {
   return out;
 }
 
+std::vector<double> ranks_of(const ParameterRecovery& r, std::size_t k) {
+  std::vector<double> out;
+  for (const ParameterCase& c : r.cases) out.push_back(k < c.rank.size() ? c.rank[k] : NAN);
+  return out;
+}
+
+std::vector<double> nearer_of(const ParameterRecovery& r) {
+  std::vector<double> out;
+  for (const ParameterCase& c : r.cases) out.push_back(c.nearer);
+  return out;
+}
+
+Html calibration(const ParameterRecovery& r) {
+  Html figures;
+  const auto add = [&](const std::string& name, const std::vector<double>& ranks, double distance) {
+    Html figure = element("h3", "", escaped(name));
+    figure += ranks_drawing(ranks, r.uniform_band, name);
+    figure += element(
+        "figcaption", "",
+        escaped(fmt::format("farthest from uniform: {}{}", fixed(distance, 2), distance > r.uniform_band ? ", beyond the band" : "")));
+    figures += element("figure", "", figure);
+  };
+  for (std::size_t k = 0; k < r.parameters.size(); ++k) add(r.parameters[k].name, ranks_of(r, k), r.parameters[k].from_uniform);
+  if (r.parameters.size() > 1) add("all together", nearer_of(r), r.from_uniform);
+  Html out = element("p", "", escaped(ranks_text(r)));
+  out += element("div", "grid", figures);
+  out += element(
+      "p", "note",
+      markup("The rank of a true value is the share of its posterior that lies below it (simulation-based calibration, Talts et al. "
+             "2018, arXiv:1804.06788); for all parameters together it is the share that lies nearer to a random point than the truth "
+             "does (Lemos et al. 2023, arXiv:2302.03026). Ranks of correct posteriors are uniform: the line keeps to the band, 95 % "
+             "for the whole line. Steep in the middle: posteriors are too wide; steep at the ends: too narrow; all to one side: "
+             "biased."));
+  return out;
+}
+
 Html cases(const ParameterRecovery& r) {
   HtmlTable table("Every interval");
   table.head({column("parameter"), column("seed", true), column("true value", true), column("median", true), column("2.5 %", true),
@@ -111,6 +148,7 @@ std::string parameter_recovery_html(const ParameterRecovery& r, const Settings& 
   if (!r.cases.empty()) {
     page.detail = coverage_band_text(r) + left_out_text(r);
     page.sections = {{"coverage", "Coverage", coverage(r)},
+                     {"calibration", "Whole posteriors", calibration(r)},
                      {"intervals", "Intervals against true values", drawings(r)},
                      {"recordings", "Recording by recording", cases(r)}};
   }

@@ -3,23 +3,38 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "libtrack/file.h"
 #include "reports/comparison/tables.h"
 #include "reports/study/parameter_recovery_html.h"
 #include "reports/write/number.h"
+#include "reports/write/plain_text.h"
 
 namespace swarmfit {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
 }  // namespace
 
 std::string coverage_band_text(const ParameterRecovery& r) {
   return fmt::format("Correct 95 % intervals contain {} to {} of {} true values (99 % of the binomial, {} parameters).", r.fewest, r.most,
                      r.cases.size(), r.parameters.size());
+}
+
+std::string ranks_text(const ParameterRecovery& r) {
+  std::vector<std::string> beyond;
+  for (const ParameterCoverage& p : r.parameters)
+    if (p.from_uniform > r.uniform_band) beyond.push_back(p.name);
+  if (r.parameters.size() > 1 && r.from_uniform > r.uniform_band) beyond.emplace_back("all parameters together");
+  const std::string band = fmt::format("within {} of uniform, as those of correct posteriors are in 95 % of studies of {} recordings",
+                                       fixed(r.uniform_band, 2), r.cases.size());
+  if (beyond.empty()) return fmt::format("Ranks of true values in their posteriors are {}.", band);
+  return fmt::format("Ranks of true values in their posteriors are not {}: those of {}.", band, enumerate(beyond));
 }
 
 std::string left_out_text(const ParameterRecovery& r) {
@@ -40,17 +55,17 @@ std::string parameter_recovery_text(const ParameterRecovery& r, TextStyle style)
   if (r.cases.empty()) return fmt::format("None of {} recordings simulated from {} can be fitted.\n", r.left_out, r.model);
   const std::string text = table_text(coverage_table(r, ""), style) +
                            " width, bias and rmse (of the posterior's median): shares of what is searched, on the axis of the search\n " +
-                           coverage_band_text(r) + '\n' + (r.left_out > 0 ? left_out_text(r) + '\n' : "");
+                           coverage_band_text(r) + "\n " + ranks_text(r) + '\n' + (r.left_out > 0 ? left_out_text(r) + '\n' : "");
   return style.unicode ? text : ascii(text);
 }
 
 std::string parameter_cases_csv(const ParameterRecovery& r) {
-  std::string out = "seed,parameter,truth,median,ci_lower,ci_upper,contraction,verdict\n";
+  std::string out = "seed,parameter,truth,median,ci_lower,ci_upper,contraction,verdict,rank\n";
   for (const ParameterCase& c : r.cases)
     for (std::size_t k = 0; k < c.found.size(); ++k) {
       const ParameterInterval& p = c.found[k];
-      out += fmt::format("{},{},{},{},{},{},{},{}\n", c.seed, csv_field(p.name), exact(c.truth[k]), exact(p.median), exact(p.lower),
-                         exact(p.upper), exact(p.contraction), to_string(p.verdict));
+      out += fmt::format("{},{},{},{},{},{},{},{},{}\n", c.seed, csv_field(p.name), exact(c.truth[k]), exact(p.median), exact(p.lower),
+                         exact(p.upper), exact(p.contraction), to_string(p.verdict), k < c.rank.size() ? exact(c.rank[k]) : "");
     }
   return out;
 }
@@ -67,13 +82,16 @@ std::string to_json(const ParameterRecovery& r, const Settings& conditions) {
                           {"flat", p.flat},
                           {"width", p.width},
                           {"bias", p.bias},
-                          {"rmse", p.rmse}});
+                          {"rmse", p.rmse},
+                          {"from_uniform", finite(p.from_uniform)}});
   const Json all = {{"schema", "swarmfit-parameter-recovery/1"},
                     {"conditions", std::move(settings)},
                     {"model", r.model},
                     {"recordings", r.cases.size()},
                     {"left_out", r.left_out},
                     {"band", {r.fewest, r.most}},
+                    {"from_uniform", finite(r.from_uniform)},
+                    {"uniform_band", finite(r.uniform_band)},
                     {"parameters", std::move(parameters)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -16,6 +16,8 @@ std::string to_json(const ParameterRecovery&, const Settings& conditions);  // "
 
 // How many of the recordings intervals that hold the truth 95 times in 100 cover.
 std::string coverage_band_text(const ParameterRecovery&);
+// Whether whole posteriors, not only their intervals, are as wide as they should be.
+std::string ranks_text(const ParameterRecovery&);
 // " 3 more plants were left out: ..."; empty if none were.
 std::string left_out_text(const ParameterRecovery&);
 

@@ -11,6 +11,7 @@
 #include "fit/experiment/objective.h"
 #include "fit/experiment/plant.h"
 #include "fit/model_fit/search_space.h"
+#include "libtrack/cut.h"
 #include "libtrack/read/read.h"
 
 namespace swarmfit {
@@ -60,7 +61,10 @@ void expect_a_quarter(const Tracks& recording) {
 
 std::string recorded(const char* path) { return std::string(SWARMFIT_SOURCE_DIR) + "/../shared/data/" + path; }
 
-TEST(RandomCandidates, MoveAboutAsFastAsTheDemo) { expect_a_quarter(demo_recording()); }
+// A few times as long as motion takes to become new: more changes no mean speed.
+constexpr std::int64_t kFrames = 150;
+
+TEST(RandomCandidates, MoveAboutAsFastAsTheDemo) { expect_a_quarter(cut(demo_recording(), 0, kFrames)); }
 
 TEST(RandomCandidates, MoveAboutAsFastAsMidges) {
   const auto path = recorded("midge-lab-3d/BiologicalSwarmTimeSeries.txt");
@@ -68,6 +72,7 @@ TEST(RandomCandidates, MoveAboutAsFastAsMidges) {
   ReadOptions options;
   options.columns = "id,x,y,z,t,vx,vy,vz,ax,ay,az";
   options.unit = "mm";
+  options.frames = Interval{0, kFrames};
   expect_a_quarter(read_tracks(path, options));
 }
 
@@ -76,7 +81,7 @@ TEST(RandomCandidates, MoveAboutAsFastAsJackdaws) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: the jackdaw recording is not at " << path;
   ReadOptions options;
   options.unit = "m";
-  options.frames = Interval{100, 300};
+  options.frames = Interval{100, 100 + kFrames};
   expect_a_quarter(read_tracks(path, options));
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fit/study/parameter_recovery.h"
-#include "fit/model_fit/parameter_posterior.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
+
+#include "fit/model_fit/parameter_posterior.h"
 
 namespace swarmfit {
 namespace {
@@ -69,6 +70,20 @@ TEST(ParameterRecovery, FindsWhatWasPlanted) {
   EXPECT_EQ(noise.identified, 6);  // eighty frames of eight particles fix the noise within a tenth of its range
   EXPECT_LT(noise.width, 0.15);
   EXPECT_LT(noise.rmse, 0.06);
+}
+
+// Ranks of the truth in posteriors: within the band of uniform ones, in every parameter and in all together.
+TEST(ParameterRecovery, RanksOfTheTruthAreUniform) {
+  const ParameterRecovery r = recover_parameters(brownian(12));
+  ASSERT_EQ(r.cases.size(), 12u);
+  EXPECT_NEAR(r.uniform_band, std::sqrt(std::log(40.0) / 24), 1e-15);
+  for (const ParameterCase& c : r.cases) {
+    ASSERT_EQ(c.rank.size(), 4u);
+    for (const double rank : c.rank) EXPECT_TRUE(rank >= 0 && rank <= 1) << rank;
+    EXPECT_TRUE(c.nearer >= 0 && c.nearer <= 1) << c.nearer;
+  }
+  for (const ParameterCoverage& p : r.parameters) EXPECT_LT(p.from_uniform, r.uniform_band) << p.name;
+  EXPECT_LT(r.from_uniform, r.uniform_band);
 }
 
 // Bias, error and width by hand from the cases.

@@ -76,6 +76,24 @@ std::vector<double> numbers_in(const std::string& drawn, const std::regex& eleme
   return out;
 }
 
+// By hand: two ranks make steps of a half; the band is cut where it leaves the square.
+TEST(ParameterRecoveryPage, RanksAreDrawnInTheirBand) {
+  const std::string drawn = ranks_drawing({0.75, NAN, 0.25}, 0.1, "D").text;
+  EXPECT_THAT(drawn, HasSubstr("class=\"ranks\" d=\"M34.00 123.00H61.00L61.00 69.00H115.00L115.00 15.00H142.00\""));
+  EXPECT_THAT(drawn, HasSubstr("class=\"band\" d=\"M34.00 123.00L34.00 112.20L131.20 15.00L142.00 15.00L142.00 25.80L44.80 123.00Z\""));
+}
+
+TEST(ParameterRecoveryPage, SaysWhetherPosteriorsAreCalibrated) {
+  ParameterRecovery r = sample();
+  r.uniform_band = 0.3;
+  for (ParameterCoverage& p : r.parameters) p.from_uniform = 0.2;
+  r.from_uniform = 0.25;
+  EXPECT_THAT(ranks_text(r), HasSubstr("are within 0.30 of uniform"));
+  r.from_uniform = 0.4;
+  EXPECT_THAT(ranks_text(r), HasSubstr("are not within 0.30 of uniform, as those of correct posteriors are in 95 % of studies of 2 "
+                                       "recordings: those of all parameters together."));
+}
+
 // Whatever the scale of a parameter's axes: who finds the truth lies on the line where both are equal.
 TEST(ParameterRecoveryPage, AMedianThatIsTheTruthLiesOnTheLine) {
   const std::regex equal(R"re(class="equal" x1="([^"]+)" y1="([^"]+)" x2="([^"]+)" y2="([^"]+)")re"),

@@ -20,7 +20,7 @@ ParameterRecovery sample() {
                   {"k", "1/s^2", AxisScale::root, 2, 2, 0, 1, 1, -0.1, 0.2, 0.7}};
   ParameterInterval d{0, "D", 5, 4, 6, 0.99, Identifiability::identified, "k", 0.3},
       k{1, "k", 1, 0, 3, 0.1, Identifiability::flat, "D", 0.3};
-  r.cases = {{7, {4.5, 2}, {d, k}, {0.4, 0.6}, {0.5, 0.5}, {0.05, 0.8}}};
+  r.cases = {{7, {4.5, 2}, {d, k}, {0.4, 0.6}, {0.5, 0.5}, {0.05, 0.8}, {0.25, 0.5}, 0.75}};
   return r;
 }
 
@@ -36,7 +36,8 @@ TEST(ParameterRecoveryReport, CoverageByHand) {
 
 TEST(ParameterRecoveryReport, CsvAndJson) {
   EXPECT_EQ(parameter_cases_csv(sample()),
-            "seed,parameter,truth,median,ci_lower,ci_upper,contraction,verdict\n7,D,4.5,5,4,6,0.99,identified\n7,k,2,1,0,3,0.1,flat\n");
+            "seed,parameter,truth,median,ci_lower,ci_upper,contraction,verdict,rank\n7,D,4.5,5,4,6,0.99,identified,0.25\n7,k,2,1,0,3,0.1,"
+            "flat,0.5\n");
   const auto json = nlohmann::json::parse(to_json(sample(), {{"agents", "10"}}));
   EXPECT_EQ(json["schema"], "swarmfit-parameter-recovery/1");
   EXPECT_EQ(json["parameters"][0]["covered"], 1);
