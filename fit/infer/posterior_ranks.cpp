@@ -42,6 +42,8 @@ double distance_from_uniform(std::span<const double> values) {
   return most;
 }
 
-double uniform_band(std::size_t n) { return std::sqrt(std::log(2 / 0.05) / (2 * static_cast<double>(n))); }
+double uniform_band(std::size_t n, std::size_t samples) {
+  return std::sqrt(std::log(2 * static_cast<double>(samples) / 0.05) / (2 * static_cast<double>(n)));
+}
 
 }  // namespace swarmfit

@@ -25,7 +25,8 @@ double nearer_than(const WeightedSample& sample, const Point& reference, const P
 // Largest distance between the distribution of these numbers and the uniform one on [0, 1]; NaN are left out, none give NaN.
 double distance_from_uniform(std::span<const double> values);
 
-// What that distance exceeds in 5 % of samples of n uniform numbers, at most (Dvoretzky, Kiefer and Wolfowitz; Massart 1990).
-double uniform_band(std::size_t n);
+// What that distance exceeds in any of so many samples of n uniform numbers in 5 % of cases, at most (Dvoretzky, Kiefer and Wolfowitz;
+// Massart 1990; Bonferroni).
+double uniform_band(std::size_t n, std::size_t samples);
 
 }  // namespace swarmfit

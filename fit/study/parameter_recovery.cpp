@@ -151,7 +151,7 @@ ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnPar
   std::vector<double> nearer;
   for (const ParameterCase& c : out.cases) nearer.push_back(c.nearer);
   out.from_uniform = distance_from_uniform(nearer);
-  if (!out.cases.empty()) out.uniform_band = uniform_band(out.cases.size());
+  if (!out.cases.empty()) out.uniform_band = uniform_band(out.cases.size(), out.parameters.size() + 1);
   const int tests = std::max<int>(1, static_cast<int>(out.parameters.size()));
   std::tie(out.fewest, out.most) = coverage_band(static_cast<int>(out.cases.size()), tests);
   return out;

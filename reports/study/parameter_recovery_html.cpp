@@ -102,8 +102,8 @@ Html calibration(const ParameterRecovery& r) {
       "p", "note",
       markup("The rank of a true value is the share of its posterior that lies below it (simulation-based calibration, Talts et al. "
              "2018, arXiv:1804.06788); for all parameters together it is the share that lies nearer to a random point than the truth "
-             "does (Lemos et al. 2023, arXiv:2302.03026). Ranks of correct posteriors are uniform: the line keeps to the band, 95 % "
-             "for the whole line. Steep in the middle: posteriors are too wide; steep at the ends: too narrow; all to one side: "
+             "does (Lemos et al. 2023, arXiv:2302.03026). Ranks of correct posteriors are uniform: all lines keep to their bands in 95 % "
+             "of studies. Steep in the middle: posteriors are too wide; steep at the ends: too narrow; all to one side: "
              "biased."));
   return out;
 }

@@ -76,7 +76,7 @@ TEST(ParameterRecovery, FindsWhatWasPlanted) {
 TEST(ParameterRecovery, RanksOfTheTruthAreUniform) {
   const ParameterRecovery r = recover_parameters(brownian(12));
   ASSERT_EQ(r.cases.size(), 12u);
-  EXPECT_NEAR(r.uniform_band, std::sqrt(std::log(40.0) / 24), 1e-15);
+  EXPECT_NEAR(r.uniform_band, std::sqrt(std::log(200.0) / 24), 1e-15);  // four parameters, and all together
   for (const ParameterCase& c : r.cases) {
     ASSERT_EQ(c.rank.size(), 4u);
     for (const double rank : c.rank) EXPECT_TRUE(rank >= 0 && rank <= 1) << rank;

@@ -44,8 +44,8 @@ TEST(PosteriorRanks, TheBandHoldsUniformNumbersAndNoOthers) {
       right.push_back(u);
       narrow.push_back(std::clamp(0.5 + 2 * (u - 0.5), 0.0, 1.0));
     }
-    beyond += distance_from_uniform(right) > uniform_band(n);
-    found_out += distance_from_uniform(narrow) > uniform_band(n);
+    beyond += distance_from_uniform(right) > uniform_band(n, 1);
+    found_out += distance_from_uniform(narrow) > uniform_band(n, 1);
   }
   EXPECT_GE(beyond, 20);
   EXPECT_LE(beyond, 70);  // of a binomial of 1000 at 5 %: mean 50, sd 7
