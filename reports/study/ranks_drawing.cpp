@@ -11,6 +11,7 @@ namespace swarmfit {
 namespace {
 
 constexpr double kLeft = 34, kTop = 15, kSide = 108, kRight = kLeft + kSide, kBottom = kTop + kSide, kTick = 2.5;
+constexpr double kDrawing = 204;  // wide, as drawings of intervals are, so that letters are as large
 
 std::string point(double x, double y) {
   return fmt::format("{:.2f} {:.2f}", kLeft + kSide * std::clamp(x, 0.0, 1.0), kBottom - kSide * std::clamp(y, 0.0, 1.0));
@@ -46,7 +47,7 @@ Html ranks_drawing(std::vector<double> ranks, double band, const std::string& na
   std::string out = fmt::format(
       "<svg class=\"recovered ranked\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Ranks of the true value of {} in its "
       "posterior\">",
-      kRight + 8, kBottom + 24, html_escaped(name));
+      kDrawing, kBottom + 24, html_escaped(name));
   out += path("band", fmt::format("M{}L{}L{}L{}L{}L{}Z", point(0, 0), point(0, band), point(1 - band, 1), point(1, 1), point(1, 1 - band),
                                   point(band, 0)));
   out += axes() + path("equal whole", fmt::format("M{}L{}", point(0, 0), point(1, 1)));
