@@ -211,13 +211,20 @@ class Studies(Page):
         self.assertIn("brownian", self.answer())
         parameters = len(self.browser.find_all("#coverage tbody tr"))
         self.assertEqual(len(self.browser.find_all("#intervals svg.recovered")), parameters)
-        spans = self.browser.run("return [...document.querySelectorAll('svg.recovered')].map((drawing) => [...drawing.querySelectorAll("
+        spans = self.browser.run("return [...document.querySelectorAll('#intervals svg')].map((drawing) => [...drawing.querySelectorAll("
                                  "'.reach')].map((line) => line.getBoundingClientRect().height))")
         for heights in spans:
             self.assertEqual(len(heights), 3)
             self.assertGreater(max(heights), 5)
         painted = self.browser.run("return getComputedStyle(document.querySelector('svg.recovered .reach')).stroke")
         self.assertNotEqual(painted, "none")
+        # Ranks of every parameter, and of all together, each a line in its band.
+        self.assertEqual(len(self.browser.find_all("#calibration svg .ranks")), parameters + 1)
+        look = "return ['.ranks', '.band'].map((part) => getComputedStyle(document.querySelector('#calibration svg ' + part)))"
+        line, band = self.browser.run(look + ".map((style) => [style.stroke, style.fill])")
+        self.assertNotEqual(line[0], "none")
+        self.assertEqual(line[1], "none")
+        self.assertNotEqual(band[1], "none")
 
     def test_power(self):
         self.open("power")
