@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace swarmfit {
 namespace {
@@ -53,11 +54,16 @@ void settle_steps(Objective& objective, const Target& target, const std::vector<
     const bool far = std::all_of(found.begin(), found.end(), [&](const Outcome& o) { return far_off(o, target); });
     return (far ? std::min(kFarSteps, most) : most) * objective.ensemble().stable_steps();
   };
+  std::map<int, std::vector<Outcome>> sure;  // the finer of one comparison is the coarser of the next
+  const auto surely = [&](int steps) -> const std::vector<Outcome>& {
+    const auto found = sure.find(steps);
+    return found != sure.end() ? found->second : sure.emplace(steps, outcomes(steps, seeds.more)).first->second;
+  };
   int steps = first;
   auto coarse = outcomes(steps, seeds.few);
   while (2 * steps <= limit(coarse)) {
     auto fine = outcomes(2 * steps, seeds.few);
-    if (same(coarse, fine, kDifferent) || same(outcomes(steps, seeds.more), outcomes(2 * steps, seeds.more), kCertain)) break;
+    if (same(coarse, fine, kDifferent) || same(surely(steps), surely(2 * steps), kCertain)) break;
     steps *= 2;
     coarse = std::move(fine);
   }

@@ -38,8 +38,7 @@ Html joined(std::initializer_list<Html> parts) {
 Html ranking(const Comparison& c) {
   const std::string score = fmt::format(
       "E = 1 − Σ weight × normalised energy: higher is better, relative to the models listed here; it rests on {} fresh replicates, the "
-      "bar "
-      "is its 95 % interval across recordings of this length. ± is one standard error over the replicates.",
+      "bar is its 95 % interval across recordings of this length. ± is one standard error over the replicates.",
       c.run.budget.final_replicates);
   return joined(
       {sections::ranking(c), note(joined({markup("<b>Score</b> "), escaped(score),

@@ -61,7 +61,7 @@ void expect_a_quarter(const Tracks& recording) {
 
 std::string recorded(const char* path) { return std::string(SWARMFIT_SOURCE_DIR) + "/../shared/data/" + path; }
 
-// A few times as long as motion takes to become new: more changes no mean speed.
+// Enough for a mean speed: several times as long as motion takes to become new.
 constexpr std::int64_t kFrames = 150;
 
 TEST(RandomCandidates, MoveAboutAsFastAsTheDemo) { expect_a_quarter(cut(demo_recording(), 0, kFrames)); }
