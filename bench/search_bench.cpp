@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlopt.hpp>
 
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 #include "tests/fit/test_functions.h"
 #ifdef BENCH_PAGMO
 #include <pagmo/algorithm.hpp>
@@ -28,8 +28,8 @@ using Method = std::function<Point(const TestFunction&, int evaluations, std::ui
 
 Point ours(const TestFunction& f, int evaluations, std::uint64_t seed) {
   SearchOptions options;
-  options.genetic.max_evaluations = evaluations;
-  options.genetic.generations = evaluations / options.genetic.population + 1;  // the limit decides
+  options.evolution.max_evaluations = evaluations;
+  options.evolution.generations = evaluations / options.evolution.population + 1;  // the limit decides
   return search(static_cast<int>(f.optimum.size()), f.batch(), options, Rng{seed}).recommended.x;
 }
 

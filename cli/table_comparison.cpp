@@ -54,7 +54,7 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
        .initial = "full",
        .ren2016 = "genetic",
        .group = kSearch,
-       .use = [](Arguments& a, const Value& v) { a.compare.genetic_only = v.text() == "genetic"; }},
+       .use = [](Arguments& a, const Value& v) { a.compare.evolution_only = v.text() == "genetic"; }},
       {.name = "searched",
        .in = kComparisons,
        .help = "which parameters: all that matter (default), or published, those of Ren et al. 2016 alone; --set, --fix and --bounds win",

@@ -30,7 +30,7 @@ Index jerks(const Tracks& tracks, int lag) {
   return count;
 }
 
-bool drowned(const Tracks& tracks, const Eigen::Array3d& sigma, double limit, std::uint64_t seed, int lag) {
+bool error_dominated(const Tracks& tracks, const Eigen::Array3d& sigma, double limit, std::uint64_t seed, int lag) {
   const PerColumn<double> share = error_share(tracks, sigma, seed, {lag});
   return std::any_of(share.begin(), share.begin() + kMotionMetrics, [limit](double s) { return s > limit; });
 }
@@ -78,9 +78,9 @@ int longest_lag(const Tracks& tracks) {
 
 std::vector<int> choose_lags(const Tracks& tracks, const Eigen::Array3d& sigma, double limit, std::uint64_t seed) {
   const int longest = longest_lag(tracks);
-  if (longest == 1 || !(sigma > 0).any() || !drowned(tracks, sigma, limit, seed, 1)) return {1};
+  if (longest == 1 || !(sigma > 0).any() || !error_dominated(tracks, sigma, limit, seed, 1)) return {1};
   int lag = 2;
-  while (lag < longest && drowned(tracks, sigma, limit, seed, lag)) lag *= 2;
+  while (lag < longest && error_dominated(tracks, sigma, limit, seed, lag)) lag *= 2;
   return {1, lag};
 }
 

@@ -20,7 +20,7 @@ enum class Stream : std::uint32_t {
   dropout = 5,        // missed detections
   start = 6,          // initial positions and headings
   replicate = 7,      // seeds of replicates
-  search = 8,         // genetic algorithm
+  search = 8,         // differential evolution
   final_seeds = 9,    // fresh seeds of the reported energies
   response = 10,      // turning angle towards or away from a stimulus
   probe = 11,         // random candidates of diagnostics
@@ -28,7 +28,7 @@ enum class Stream : std::uint32_t {
   confirmation = 13,  // seeds on which the last few are compared
   goal = 14,          // places that agents head for
   hidden = 15,        // what an agent brings along and no recording shows, such as the state of its noise
-  law = 16,           // recordings made by a fitted model
+  bootstrap = 16,     // recordings made by a fitted model
   posterior = 17,     // parameters drawn from a prior, and their recordings
   entry = 18,         // error of the velocities with which recorded agents enter
   surrogate = 20,     // recordings with a property destroyed

@@ -54,7 +54,7 @@ Ranking Calibration::run(const PerColumn<double>& resolution) {
   weighting_ = searched;
   const int passes = searches_.size() < 2 ? 1 : options_.budget.passes;
   for (int pass = 1; pass <= passes && !out.weights_converged; ++pass) {
-    if (pass > 1 && !options_.genetic_only) exchange();
+    if (pass > 1 && !options_.evolution_only) exchange();
     for (std::size_t m = 0; m < searches_.size(); ++m)
       searches_[m].pass(pass, searched, [&](std::int64_t simulations, double best) { tell(m, pass, passes, simulations, best); });
     if (searches_.size() < 2) break;

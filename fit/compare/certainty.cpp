@@ -15,14 +15,15 @@ namespace {
 
 constexpr std::size_t kLeastBand = 39;
 
-// A law that recordings are measured against. Each is compared with the `pooled` runs after its own number, so that it is never compared
-// with itself.
+// A model's own recordings, which others are measured against. Each is compared with the `pooled` runs after its own number, so that it is
+// never compared with itself.
 class Against {
  public:
-  Against(const Law& law, const Target& target, int pooled) : law_(law), target_(target), pooled_(static_cast<std::size_t>(pooled)) {
+  Against(const Bootstrap& bootstrap, const Target& target, int pooled)
+      : bootstrap_(bootstrap), target_(target), pooled_(static_cast<std::size_t>(pooled)) {
     if (target.binning().pooled) return;
     std::vector<Densities> runs;
-    for (const SingleRun& run : law)
+    for (const SingleRun& run : bootstrap)
       if (!run.failed) runs.push_back(target.densities(run.distributions));
     half_spread_ = spread(runs, target.worst()).mean;
     for (double& s : half_spread_) s /= 2;
@@ -33,7 +34,7 @@ class Against {
     const std::size_t columns = target_.columns().size();
     std::vector<const SingleRun*> runs;
     for (std::size_t i = 1; i <= pooled_; ++i)
-      if (const SingleRun& run = law_[(number + i) % law_.size()]; !run.failed) runs.push_back(&run);
+      if (const SingleRun& run = bootstrap_[(number + i) % bootstrap_.size()]; !run.failed) runs.push_back(&run);
     const double failed = 1 - static_cast<double>(runs.size()) / static_cast<double>(pooled_);
     Energies out = runs.empty() ? Energies(columns, NAN) : target_.binning().pooled ? from_pool(recording, runs) : scored(recording, runs);
     for (std::size_t j = 0; j < columns; ++j) {
@@ -62,26 +63,26 @@ class Against {
     return out;
   }
 
-  const Law& law_;
+  const Bootstrap& bootstrap_;
   const Target& target_;
   std::size_t pooled_;
   Energies half_spread_;
 };
 
-bool long_enough(const std::vector<Law>& laws, int pooled) {
-  return !laws.empty() && std::all_of(laws.begin(), laws.end(), [&](const Law& law) {
-    return law.size() == laws.front().size() && static_cast<int>(law.size()) >= pooled + 2;
+bool long_enough(const std::vector<Bootstrap>& bootstraps, int pooled) {
+  return !bootstraps.empty() && std::all_of(bootstraps.begin(), bootstraps.end(), [&](const Bootstrap& bootstrap) {
+    return bootstrap.size() == bootstraps.front().size() && static_cast<int>(bootstrap.size()) >= pooled + 2;
   });
 }
 
 // Raw energies of a model's own recordings; nothing for those that blew up.
 using Own = std::vector<std::optional<Energies>>;
 
-Own own_energies(const Law& law, const Target& target, int pooled) {
-  const Against model(law, target, pooled);
-  Own out(law.size());
-  for (std::size_t k = 0; k < law.size(); ++k)
-    if (!law[k].failed) out[k] = model(law[k], k);
+Own own_energies(const Bootstrap& bootstrap, const Target& target, int pooled) {
+  const Against model(bootstrap, target, pooled);
+  Own out(bootstrap.size());
+  for (std::size_t k = 0; k < bootstrap.size(); ++k)
+    if (!bootstrap[k].failed) out[k] = model(bootstrap[k], k);
   return out;
 }
 
@@ -118,14 +119,14 @@ struct Distances {
 // A search misses the best parameters of each of a model's own recordings, too.
 Distances distances(std::span<const Trial> trials, std::size_t model, int pooled) {
   Distances out;
-  out.own.resize(trials.front().laws.of[model].size());
+  out.own.resize(trials.front().bootstraps.of[model].size());
   for (const Trial& trial : trials) {
     const auto share = 1 / static_cast<double>(trials.size());
-    const auto own = own_energies(trial.laws.of[model], *trial.target, pooled);
+    const auto own = own_energies(trial.bootstraps.of[model], *trial.target, pooled);
     out.observed += share * cost_of(seen(trial.models[model].raw, own, trial.target->worst()), trial.weighting);
     for (std::size_t k = 0; k < own.size(); ++k) {
-      const double missed =
-          std::abs(trial.laws.scatter[model] * trial.laws.root.normal2(Stream::law, k, static_cast<std::uint32_t>(model))[0]);
+      const double missed = std::abs(trial.bootstraps.scatter[model] *
+                                     trial.bootstraps.root.normal2(Stream::bootstrap, k, static_cast<std::uint32_t>(model))[0]);
       out.own[k] += share * (own[k] ? cost_of(*own[k], trial.weighting) + missed : NAN);
     }
   }
@@ -152,8 +153,9 @@ ScoreDraws mean_draws(std::span<const Trial> trials, int pooled) {
   return out;
 }
 
-// How far a law's recordings scatter is that of the truth's only to a fifth: on the logarithm, over planted pairs
-// (reports/published/leads). As if it were estimated with ten degrees of freedom: Student's t in place of the normal law, at 97.5 %.
+// How far a fitted model's recordings scatter is that of the truth's only to a fifth: on the logarithm, over planted pairs
+// (reports/published/leads). As if it were estimated with ten degrees of freedom: Student's t in place of the normal distribution, at 97.5
+// %.
 constexpr double kStudent = 2.2281 / 1.9600;
 
 // Basic bootstrap: the scatter of the draws, turned round the value.
@@ -170,9 +172,9 @@ std::pair<double, double> interval(double value, const Eigen::VectorXd& draws) {
 
 }  // namespace
 
-Law law_of(const Objective& objective, const std::vector<double>& parameters, const Rng& root, int recordings) {
-  const auto jobs = jobs_on(parameters, replicate_seeds(root, Stream::law, recordings));
-  return objective.ensemble().measured<SingleRun>(jobs, "law", [&](const Run& run, std::size_t) { return objective.single(run); });
+Bootstrap bootstrap_of(const Objective& objective, const std::vector<double>& parameters, const Rng& root, int recordings) {
+  const auto jobs = jobs_on(parameters, replicate_seeds(root, Stream::bootstrap, recordings));
+  return objective.ensemble().measured<SingleRun>(jobs, "bootstrap", [&](const Run& run, std::size_t) { return objective.single(run); });
 }
 
 std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& selections, const Weighting& weighting) {
@@ -193,29 +195,30 @@ std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& sel
 }
 
 ScoreDraws score_draws(const Trial& trial, int pooled) {
-  const Law& recordings = trial.laws.recordings;
+  const Bootstrap& recordings = trial.bootstraps.recordings;
   const auto rows = static_cast<Eigen::Index>(recordings.size()), columns = static_cast<Eigen::Index>(trial.models.size());
   ScoreDraws out{Eigen::VectorXd(columns), Eigen::MatrixXd::Constant(rows, columns, NAN)};
   for (Eigen::Index m = 0; m < columns; ++m) {
     const auto model = static_cast<std::size_t>(m);
-    const Against law(trial.laws.of[model], *trial.target, pooled);
+    const Against own(trial.bootstraps.of[model], *trial.target, pooled);
     out.scores(m) = trial.models[model].score;
     for (Eigen::Index b = 0; b < rows; ++b) {
       const auto k = static_cast<std::size_t>(b);
       if (recordings[k].failed) continue;
-      const double missed = trial.laws.scatter[model] * trial.laws.root.normal2(Stream::law, k, static_cast<std::uint32_t>(m))[0];
-      out.draws(b, m) = missed - cost_of(law(recordings[k], k), trial.weighting);
+      const double missed =
+          trial.bootstraps.scatter[model] * trial.bootstraps.root.normal2(Stream::bootstrap, k, static_cast<std::uint32_t>(m))[0];
+      out.draws(b, m) = missed - cost_of(own(recordings[k], k), trial.weighting);
     }
   }
   return out;
 }
 
-Band band_of(const Law& law, const Target& target) {
+Band band_of(const Bootstrap& bootstrap, const Target& target) {
   const std::size_t columns = target.columns().size();
   Band out{PerColumn<std::vector<double>>(columns), PerColumn<std::vector<double>>(columns)};
   for (std::size_t j = 0; j < columns; ++j) {
     std::vector<const Histogram*> seen;
-    for (const SingleRun& run : law)
+    for (const SingleRun& run : bootstrap)
       if (!run.failed && run.distributions[j].histogram.samples > 0) seen.push_back(&run.distributions[j].histogram);
     if (seen.size() < kLeastBand) continue;
     for (std::size_t bin = 0; bin < seen.front()->counts.size(); ++bin) {
@@ -232,16 +235,17 @@ std::vector<Certainty> certainties(std::span<const Trial> trials, int pooled) {
   std::vector<Certainty> out(trials.front().models.size());
   for (Certainty& c : out) c.own = Energies(trials.front().target->columns().size(), NAN);
   for (const Trial& trial : trials)
-    if (!long_enough(trial.laws.of, pooled)) return out;
+    if (!long_enough(trial.bootstraps.of, pooled)) return out;
   const ScoreDraws all = mean_draws(trials, pooled);
   const auto p = confidence_set_p(all);
   const auto groups = confidence_groups(all, kAlpha);
   std::vector<double> fits;
   for (std::size_t m = 0; m < out.size(); ++m) {
     Certainty& c = out[m];
-    if (trials.size() == 1) c.own = mean(own_energies(trials[0].laws.of[m], *trials[0].target, pooled), trials[0].target->columns().size());
-    c.goodness_p = goodness(distances(trials, m, pooled));
-    fits.push_back(c.goodness_p);
+    if (trials.size() == 1)
+      c.own = mean(own_energies(trials[0].bootstraps.of[m], *trials[0].target, pooled), trials[0].target->columns().size());
+    c.gof_p = goodness(distances(trials, m, pooled));
+    fits.push_back(c.gof_p);
     c.set_p = p[m];
     c.group = groups[m];
     const auto column = static_cast<Eigen::Index>(m);
@@ -249,7 +253,7 @@ std::vector<Certainty> certainties(std::span<const Trial> trials, int pooled) {
     std::tie(c.lead_lower, c.lead_upper) = interval(all.scores(0) - all.scores(column), all.draws.col(0) - all.draws.col(column));
   }
   const auto adjusted = adjusted_p(fits);
-  for (std::size_t m = 0; m < out.size(); ++m) out[m].goodness_q = adjusted[m];
+  for (std::size_t m = 0; m < out.size(); ++m) out[m].gof_q = adjusted[m];
   return out;
 }
 

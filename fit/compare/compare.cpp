@@ -10,10 +10,10 @@
 #include "fit/compare/common_dynamics.h"
 #include "fit/compare/facts.h"
 #include "fit/compare/hold_out.h"
-#include "fit/compare/judge.h"
 #include "fit/compare/rank.h"
 #include "fit/compare/refute.h"
 #include "fit/compare/sensitivity.h"
+#include "fit/compare/skill_assessment.h"
 #include "fit/compare/skill_warnings.h"
 #include "fit/compare/without_one.h"
 #include "fit/experiment/film.h"
@@ -27,28 +27,28 @@ namespace {
 
 // What is seen of a final replicate beside its score; of the first one also its scales and the film.
 struct View {
-  Judged judged;
+  AssessedRun assessed;
   Scales scales;
   FilmStrip film;
   Pictures pictures;
 };
-auto fields(View& v) { return std::tie(v.judged, v.scales, v.film, v.pictures); }
+auto fields(View& v) { return std::tie(v.assessed, v.scales, v.film, v.pictures); }
 
 // What a model looks like, from what was seen of its final replicates.
-void add_likeness(ModelFit& fit, const std::vector<std::string>& views, const Judge& judge, const Tracks& recording) {
-  std::vector<Judged> judged;
+void add_likeness(ModelFit& fit, const std::vector<std::string>& views, const SkillAssessment& assessment, const Tracks& recording) {
+  std::vector<AssessedRun> assessed;
   std::vector<Pictures> seen;
   Scales scales;
   for (const std::string& bytes : views) {
     View view = from_bytes<View>(bytes);
-    if (judged.empty()) {
+    if (assessed.empty()) {
       fit.film = film_of(std::move(view.film), recording);
       scales = view.scales;
     }
-    judged.push_back(std::move(view.judged));
+    assessed.push_back(std::move(view.assessed));
     seen.push_back(std::move(view.pictures));
   }
-  fit.likeness = judge.likeness(judged);
+  fit.likeness = assessment.likeness(assessed);
   fit.likeness.pictures = picture_spread(seen);
   fit.likeness.extent = scales.extent;
   fit.likeness.spacing = scales.spacing;
@@ -96,7 +96,7 @@ void add_held_out(std::vector<ModelFit>& models, HoldOut& held, const Order& ord
   for (std::size_t k = 0; k < models.size(); ++k) {
     Standing& s = models[k].standing;
     s.held_out = std::move(held.models[order[k]]);
-    s.held_out.goodness_p = sure[k].goodness_p;
+    s.held_out.gof_p = sure[k].gof_p;
     Certainty& c = s.certainty;
     c.group = sure[k].group;
     c.set_p = sure[k].set_p;
@@ -119,8 +119,8 @@ void add_ranges(ModelFit& fit, const ModelSpec& spec, const std::vector<std::vec
 void describe_ranking(Comparison& result, const Trial& trial) {
   Ranking& ranking = result.ranking;
   ranking.lags = lag_facts(result.recording, ranking.weights);
-  ranking.laws = static_cast<int>(trial.laws.recordings.size());
-  ranking.band = band_of(trial.laws.recordings, *trial.target);
+  ranking.bootstrap_recordings = static_cast<int>(trial.bootstraps.recordings.size());
+  ranking.band = band_of(trial.bootstraps.recordings, *trial.target);
   ranking.without = without_each(result.models, result.recording);
   ranking.walk_suffices = walk_suffices(result.recording.skill, result.models);
 }
@@ -161,7 +161,7 @@ bool holds_out(const Tracks& recording, const CompareOptions& options) {
 // Columns of the score that are not mostly localisation error: on those the skill rests.
 PerColumn<bool> clear_columns(const ObservationFacts& o) {
   PerColumn<bool> out = o.used;
-  for (std::size_t j = 0; j < out.size(); ++j) out[j] = out[j] && !o.drowned[j];
+  for (std::size_t j = 0; j < out.size(); ++j) out[j] = out[j] && !o.error_dominated[j];
   return out;
 }
 
@@ -186,16 +186,16 @@ Comparison compare(const Tracks& recording, const CompareOptions& wanted, const 
 
   const PictureGrid grid = picture_grid(conditions.recording);
   result.recording.pictures = {grid, pictures(conditions.recording, grid), timeline(conditions.recording)};
-  std::optional<Judge> judge;
+  std::optional<SkillAssessment> assessment;
   const auto view = [&](const Run& run, std::size_t k) {
-    return to_bytes(View{judge->look(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{},
+    return to_bytes(View{assessment->of(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{},
                          pictures(run.seen, grid)});
   };
   const std::vector<bool> used(observation.used.begin(), observation.used.end());
   Calibration calibration(options, conditions, target, used, result.run.history, on_progress, runtime, view);
-  judge.emplace(conditions, clear_columns(observation), options.seed, runtime);  // computes, so after whatever the searches refuse
-  result.recording.skill = judge->skill();
-  result.recording.panel = judge->panel();
+  assessment.emplace(conditions, clear_columns(observation), options.seed, runtime);  // computes, so after whatever the searches refuse
+  result.recording.skill = assessment->skill();
+  result.recording.panel = assessment->panel();
   result.ranking = calibration.run(result.recording.resolution);
   const Weighting& weighting = calibration.weighting();
 
@@ -211,15 +211,16 @@ Comparison compare(const Tracks& recording, const CompareOptions& wanted, const 
     trial.models.push_back({fit.standing.score, fit.runs.raw_energies});
     if (held) fit.standing.score = held->scores[m];
     if (held) add_ranges(fit, *options.models[m].spec, held->values[m]);
-    add_likeness(fit, search.selected().views, *judge, conditions.recording);
+    add_likeness(fit, search.selected().views, *assessment, conditions.recording);
     if (options.likelihood) fill_likelihood(fit, search, Rng{options.seed}.derive(Stream::probe, m));
     if (options.posterior) fill_posterior(fit, search, Rng{options.seed}.derive(Stream::posterior, m));
-    trial.laws.of.push_back(law_of(search.objective(), search.space().parameters(search.selected().x), {options.seed}, options.laws));
+    trial.bootstraps.of.push_back(
+        bootstrap_of(search.objective(), search.space().parameters(search.selected().x), {options.seed}, options.bootstrap_recordings));
     selections.push_back(search.selections());
     result.run.searched.push_back(searched_names(search.space()));
     result.models.push_back(std::move(fit));
   }
-  trial.laws.scatter = search_scatter(selections, weighting);
+  trial.bootstraps.scatter = search_scatter(selections, weighting);
   rank_models(result, std::move(trial), held, options.budget.final_replicates);
   result.warnings = all_warnings(result);
   return result;

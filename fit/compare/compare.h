@@ -22,7 +22,7 @@ struct CompareOptions : SearchPlan {
   bool resolution = true;            // p2 is at least what the recording can tell (libeval/score.h); false: the range, as published
   bool mean_weights = true;          // later passes search under the mean of all passes' weights; false: under the last, as published
   std::vector<std::string> common;   // parameters that were fitted once for all models; only reported
-  int laws = 99;                     // recordings that each fitted model makes, to tell how sure its place is; 0: none
+  int bootstrap_recordings = 99;     // recordings that each fitted model makes, to tell how sure its place is; 0: none
   // Fit each half of the recording, too, and rank by the scores on the other (fit/compare/hold_out.h).
   enum class HoldOutWhen { never, worth_it, always };  // worth_it: if halves are long enough, and there is a ranking
   HoldOutWhen hold_out = HoldOutWhen::never;

@@ -42,15 +42,15 @@ void warn_of_data(const Comparison& r, std::vector<Warning>& out) {
 // Is the longest lag still too short?
 void warn_of_lags(const Comparison& r, std::vector<Warning>& out) {
   const int lag = lags_of(r.recording.columns).back();
-  std::vector<std::string> drowned;
+  std::vector<std::string> error_dominated;
   for (std::size_t j = 0; j < r.recording.columns.size(); ++j)
     if (r.recording.columns[j].motion() && r.recording.columns[j].lag == lag && r.recording.defined[j] &&
-        r.recording.observation.drowned[j])
-      drowned.push_back(r.recording.columns[j].key());
-  if (drowned.empty()) return;
+        r.recording.observation.error_dominated[j])
+      error_dominated.push_back(r.recording.columns[j].key());
+  if (error_dominated.empty()) return;
   const bool longer = lag < r.recording.observation.longest_lag;
-  warn(out, Gravity::meaning, "{} {} mostly measurement error even at the longest lag ({}); {}.", fmt::join(drowned, ", "),
-       drowned.size() > 1 ? "are" : "is", lag,
+  warn(out, Gravity::meaning, "{} {} mostly measurement error even at the longest lag ({}); {}.", fmt::join(error_dominated, ", "),
+       error_dominated.size() > 1 ? "are" : "is", lag,
        longer ? fmt::format("a longer lag, up to {}, may show motion: --lags", r.recording.observation.longest_lag)
               : "the tracks are too short for a longer lag");
 }
@@ -129,13 +129,14 @@ void warn_of_posterior(const ModelFit& fit, std::vector<Warning>& out) {
 
 }  // namespace
 
-PerColumn<double> resolution(const Conditions& c, const Target& target, const CompareOptions& options, const PerColumn<bool>& drowned) {
+PerColumn<double> resolution(const Conditions& c, const Target& target, const CompareOptions& options,
+                             const PerColumn<bool>& error_dominated) {
   PerColumn<double> out(target.columns().size(), 0.0);
-  if (std::find(drowned.begin(), drowned.end(), true) != drowned.end()) {
+  if (std::find(error_dominated.begin(), error_dominated.end(), true) != error_dominated.end()) {
     const MetricSamples again = metric_samples(with_error(c.recording, c.sigma, options.seed), c.metrics);
     const Energies changed = target.energies(target.distributions(again));
     for (std::size_t j = 0; j < out.size(); ++j)
-      if (drowned[j] && std::isfinite(changed[j])) out[j] = changed[j];
+      if (error_dominated[j] && std::isfinite(changed[j])) out[j] = changed[j];
   }
   if (!options.resolution) return out;
   const HalfDistance halves(c.recording, c.metrics);
@@ -159,10 +160,10 @@ ObservationFacts observation_facts(const Conditions& c, const Target& target, co
   facts.error_share = error_share(c.recording, measurement_error(c), options.seed, c.metrics.lags);
   facts.longest_lag = longest_lag(c.recording);
   const std::size_t columns = target.columns().size();
-  facts.drowned = facts.used = PerColumn<bool>(columns);
+  facts.error_dominated = facts.used = PerColumn<bool>(columns);
   facts.why_not = PerColumn<std::string>(columns);
   for (std::size_t j = 0; j < columns; ++j) {
-    facts.drowned[j] = facts.error_share[j] > options.error_limit;
+    facts.error_dominated[j] = facts.error_share[j] > options.error_limit;
     facts.used[j] = target.defined(j);
     if (!facts.used[j]) facts.why_not[j] = "it is constant or undefined in the recording";
   }
@@ -213,7 +214,7 @@ RecordingFacts recording_facts(const Tracks& recording, const Conditions& c, con
   RecordingFacts r = measured_facts(target);
   r.data = data_facts(recording, c.scales);
   r.observation = observation_facts(c, target, options);
-  r.resolution = resolution(c, target, options, r.observation.drowned);
+  r.resolution = resolution(c, target, options, r.observation.error_dominated);
   return r;
 }
 

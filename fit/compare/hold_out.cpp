@@ -71,7 +71,7 @@ class Way {
     fitted_.metrics.lags = lags_for(fitted_, options);
     target_ = std::make_unique<Target>(recorded_samples(fitted_.recording, fitted_.metrics), options.binning);
     held_ = held_out_conditions(held.tracks, fitted_, held.warm_up);
-    judged_ = std::make_unique<Target>(recorded_samples(held_.recording, held_.metrics), options.binning);
+    held_out_target_ = std::make_unique<Target>(recorded_samples(held_.recording, held_.metrics), options.binning);
   }
 
   Searched search(std::uint64_t seed) const {
@@ -82,7 +82,7 @@ class Way {
     const std::vector<bool> used(observation.used.begin(), observation.used.end());
     std::vector<HistoryRow> history;
     Calibration calibration(options, fitted_, *target_, used, history, on_progress_, runtime_);
-    calibration.run(resolution(fitted_, *target_, options, observation.drowned));
+    calibration.run(resolution(fitted_, *target_, options, observation.error_dominated));
     Searched out;
     std::vector<std::vector<Energies>> selections;
     for (const ModelSearch& s : calibration.searches()) {
@@ -103,8 +103,8 @@ class Way {
     return {-cost_of(raw, found.weighting), raw};
   }
 
-  Law law(const Searched& found, std::size_t m, std::uint64_t seed) const {
-    return law_of(objective_of(found, m), found.values[m], {seed}, options_.laws);
+  Bootstrap bootstrap(const Searched& found, std::size_t m, std::uint64_t seed) const {
+    return bootstrap_of(objective_of(found, m), found.values[m], {seed}, options_.bootstrap_recordings);
   }
 
   // Of all models: how near they lie to what they were fitted to.
@@ -123,11 +123,11 @@ class Way {
   }
 
   const Target& target() const { return *target_; }
-  std::unique_ptr<Target> take_judged() { return std::move(judged_); }
+  std::unique_ptr<Target> take_held_out_target() { return std::move(held_out_target_); }
 
  private:
   Objective objective_of(const Searched& found, std::size_t m) const {
-    Objective out(options_.models[m], held_, *judged_, runtime_);
+    Objective out(options_.models[m], held_, *held_out_target_, runtime_);
     out.use_steps(found.steps[m]);
     return out;
   }
@@ -137,7 +137,7 @@ class Way {
   const Runtime& runtime_;
   const Half& half_;
   Conditions fitted_, held_;
-  std::unique_ptr<Target> target_, judged_;  // of the fitted half, of the other
+  std::unique_ptr<Target> target_, held_out_target_;  // of the fitted half, of the other
 };
 
 // Of the k-th search of a way: other than those of the whole recording and of all other searches.
@@ -161,8 +161,8 @@ struct Repeats {
   }
 };
 
-// Searches one way and adds what it found. Laws, raw energies, weights and nearness are those of its first search; the score is the mean of
-// all, and their scatter that of the mean.
+// Searches one way and adds what it found. Bootstraps, raw energies, weights and nearness are those of its first search; the score is the
+// mean of all, and their scatter that of the mean.
 void add_way(HoldOut& out, Way& way, std::size_t number, const CompareOptions& options) {
   const std::size_t models = options.models.size();
   Repeats repeats;
@@ -179,7 +179,7 @@ void add_way(HoldOut& out, Way& way, std::size_t number, const CompareOptions& o
     repeats.scores.push_back(scored);
     if (k > 0) continue;
     trial = {scored, {{}, {}, found.scatter, {seed}}, nullptr, found.weighting};
-    for (std::size_t m = 0; m < models; ++m) trial.laws.of.push_back(way.law(found, m, seed));
+    for (std::size_t m = 0; m < models; ++m) trial.bootstraps.of.push_back(way.bootstrap(found, m, seed));
     out.facts.ways[number].columns = way.target().columns();
     out.facts.ways[number].weights.assign(found.weighting.weights.begin(), found.weighting.weights.end());
     const auto nearness = way.nearness(found, seed);
@@ -193,11 +193,11 @@ void add_way(HoldOut& out, Way& way, std::size_t number, const CompareOptions& o
   for (std::size_t m = 0; m < models; ++m) {
     const double score = repeats.mean(m), variance = repeats.variance(m);
     trial.models[m].score = score;
-    if (std::isfinite(variance)) trial.laws.scatter[m] = std::sqrt(variance / options.searches);
+    if (std::isfinite(variance)) trial.bootstraps.scatter[m] = std::sqrt(variance / options.searches);
     out.models[m].scores.push_back(score);
     out.models[m].search_sd = number == 0 ? std::sqrt(variance) : std::sqrt((std::pow(out.models[m].search_sd, 2) + variance) / 2);
   }
-  out.targets.push_back(way.take_judged());
+  out.targets.push_back(way.take_held_out_target());
   trial.target = out.targets.back().get();
   out.trials.push_back(std::move(trial));
 }

@@ -17,11 +17,11 @@ void require_somebody(const Tracks& tracks) {
   if (tracks.rows() == 0) throw InputError(tracks.meta().from.path + ": no individuals to show; expected at least one");
 }
 
-// Nothing is left out, nothing is known to be drowned.
+// Nothing is left out, nothing is known to be error_dominated.
 ObservationFacts plain_observation(const RecordingFacts& r) {
   ObservationFacts out;
   out.used = r.defined;
-  out.drowned = PerColumn<bool>(r.columns.size());
+  out.error_dominated = PerColumn<bool>(r.columns.size());
   out.why_not = PerColumn<std::string>(r.columns.size());
   return out;
 }

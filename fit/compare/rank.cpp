@@ -32,9 +32,9 @@ Order order_by_score(const std::vector<ModelFit>& models) {
 
 Trial in_order(Trial trial, const Order& order) {
   trial.models = in_order(std::move(trial.models), order);
-  trial.laws.of = in_order(std::move(trial.laws.of), order);
-  trial.laws.scatter = in_order(std::move(trial.laws.scatter), order);
-  trial.laws.recordings = trial.laws.of.front();
+  trial.bootstraps.of = in_order(std::move(trial.bootstraps.of), order);
+  trial.bootstraps.scatter = in_order(std::move(trial.bootstraps.scatter), order);
+  trial.bootstraps.recordings = trial.bootstraps.of.front();
   return trial;
 }
 

@@ -24,7 +24,7 @@ std::vector<T> in_order(std::vector<T> values, const Order& order) {
   return out;
 }
 
-// The best model's law becomes the recordings that are scored.
+// The best model's own recordings are those that are scored.
 Trial in_order(Trial trial, const Order& order);
 
 // Ranks of models that stand in order, and of their scores in sample; none for undefined scores.

@@ -53,14 +53,14 @@ void warn_of_rejected(const Comparison& r, std::vector<Warning>& out) {
   const ModelFit& first = r.models.front();
   const SkillFacts& s = r.recording.skill;
   const double floor_error = s.mean_floor_sd / (s.mean_null - s.mean_floor);
-  if (!(first.standing.certainty.goodness_p <= kAlpha) ||
+  if (!(first.standing.certainty.gof_p <= kAlpha) ||
       !(first.likeness.skill.value >= 1 - std::hypot(kStandardErrors * first.likeness.skill.se, floor_error)))
     return;
   warn(out, Gravity::result,
        "{} is rejected although its skill is {:.2f}: each metric alone is about as close as two halves of the recording are to each other, "
        "but all metrics together differ (fit p {} {:.2f}). Trust fit p.",
-       first.model, first.likeness.skill.value, first.standing.certainty.goodness_p * (1 + r.ranking.laws) < 1.5 ? "≤" : "=",
-       first.standing.certainty.goodness_p);
+       first.model, first.likeness.skill.value, first.standing.certainty.gof_p * (1 + r.ranking.bootstrap_recordings) < 1.5 ? "≤" : "=",
+       first.standing.certainty.gof_p);
 }
 
 // A posterior takes its model for granted.
@@ -105,7 +105,7 @@ void warn_of_basis(const Comparison& r, std::vector<Warning>& out) {
   bool more = false;
   std::vector<std::string> missing;
   for (std::size_t j = 0; j < r.recording.skill.used.size(); ++j) {
-    const bool expected = r.recording.observation.used[j] && !r.recording.observation.drowned[j];
+    const bool expected = r.recording.observation.used[j] && !r.recording.observation.error_dominated[j];
     more = more || (r.recording.skill.used[j] && !expected);
     if (!r.recording.skill.used[j] && expected) missing.push_back(r.recording.columns[j].key());
   }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fit/experiment/kept_work.h"
+#include "fit/experiment/checkpointed_batches.h"
 #include "fit/experiment/observe.h"
 #include "libswarm/mesh.h"
 #include "libswarm/walls.h"
@@ -124,7 +124,7 @@ std::vector<std::string> Ensemble::measured_bytes(std::span<const Job> jobs, con
     first = false;
   };
   const auto work = [&](std::span<const std::size_t> batch) { return made(batch.size(), [&](std::size_t i) { return make(batch[i]); }); };
-  return kept_work(checkpoint, keys, work, found);
+  return checkpointed_batches(checkpoint, keys, work, found);
 }
 
 std::vector<Rng> replicate_seeds(const Rng& root, Stream stream, int replicates) {

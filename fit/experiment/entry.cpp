@@ -11,9 +11,10 @@ namespace swarmfit {
 namespace {
 
 constexpr std::size_t kMostFrames = 9;
-constexpr std::size_t kFewest = 20;                           // windows that an error must rest on
-constexpr Index kWindows = 20000;                             // that are looked at, evenly spread over the recording
-constexpr double kShare = 0.95, kNormal = 1.959963984540054;  // of absolute values; below which lie so many of a standard normal law
+constexpr std::size_t kFewest = 20;  // windows that an error must rest on
+constexpr Index kWindows = 20000;    // that are looked at, evenly spread over the recording
+constexpr double kShare = 0.95,
+                 kNormal = 1.959963984540054;  // of absolute values; below which lie so many of a standard normal distribution
 
 // A derivative at the first of some frames, per frame: sum of w_k x_k.
 struct Filter {

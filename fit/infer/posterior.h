@@ -18,7 +18,7 @@
 #include <optional>
 #include <vector>
 
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 #include "fit/results/interval.h"
 #include "libtrack/rng.h"
 

@@ -101,7 +101,7 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
 std::int64_t ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch& on_search) {
   const ScoutSize& size = plan_.budget.scout;
   const std::int64_t runs = std::int64_t{size.rounds} * size.simulations;
-  if (runs == 0 || plan_.genetic_only || (plan_.max_evaluations > 0 && plan_.max_evaluations < kScoutShare * runs)) return 0;
+  if (runs == 0 || plan_.evolution_only || (plan_.max_evaluations > 0 && plan_.max_evaluations < kScoutShare * runs)) return 0;
   const double best = -leaders(search_, weighting, 1, 0.0).front().cost;
   const auto points =
       scout(space_, objective_, rng_.derive(Stream::posterior, 0), size, [&](std::int64_t simulations) { on_search(simulations, best); });
@@ -144,7 +144,7 @@ void ModelSearch::suggest(const ModelSearch& other) {
 
 std::int64_t ModelSearch::planned(int number) const {
   const auto& budget = plan_.budget;
-  return (number == 1 && !plan_.genetic_only ? std::int64_t{budget.scout.rounds} * budget.scout.simulations : 0) +
+  return (number == 1 && !plan_.evolution_only ? std::int64_t{budget.scout.rounds} * budget.scout.simulations : 0) +
          candidates(budget.search, search_.stream, number) * budget.search.replicates +
          candidates(budget.selection, selection_.stream, number) * budget.selection.replicates;
 }
@@ -177,17 +177,17 @@ void ModelSearch::keep(Round& round, const Point& x, const Outcome& outcome, int
 Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const char* phase, const Weighting& weighting,
                            const std::function<void(const GenerationReport&)>& report) {
   SearchOptions options;
-  options.genetic.population = size.population;
-  options.genetic_only = plan_.genetic_only;
-  options.genetic.generations = generations(size, round.stream, pass);
-  options.genetic.stall = std::max(1, options.genetic.stall / share(round.stream, pass));
+  options.evolution.population = size.population;
+  options.evolution_only = plan_.evolution_only;
+  options.evolution.generations = generations(size, round.stream, pass);
+  options.evolution.stall = std::max(1, options.evolution.stall / share(round.stream, pass));
   if (plan_.max_evaluations > 0) {
-    options.genetic.max_evaluations = plan_.max_evaluations - evaluations_;
-    if (options.genetic.max_evaluations <= 0) return {{{}, {}, 0, 0, Stop::evaluations}, {}, 0};
+    options.evolution.max_evaluations = plan_.max_evaluations - evaluations_;
+    if (options.evolution.max_evaluations <= 0) return {{{}, {}, 0, 0, Stop::evaluations}, {}, 0};
   }
   Race race(round, space_, objective_, weighting);
   const auto cost = [&](const std::vector<Point>& points) { return race.cost(points); };
-  options.genetic.race = [&](const auto& children, const auto& parents) { return race.against(children, parents); };
+  options.evolution.race = [&](const auto& children, const auto& parents) { return race.against(children, parents); };
   const auto start = leaders(round, weighting, round.archive.size(), 0.0);
   Found found = swarmfit::search(space_.dimensions(), cost, options, rng_.derive(round.stream, static_cast<std::uint64_t>(pass)), start,
                                  [&](const GenerationReport& now) { return report(now), true; });

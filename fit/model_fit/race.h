@@ -6,7 +6,7 @@
 
 #include "fit/experiment/objective.h"
 #include "fit/model_fit/search_space.h"
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 #include "fit/optimise/screening.h"
 #include "libeval/score.h"
 

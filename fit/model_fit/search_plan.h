@@ -21,7 +21,7 @@ struct SearchPlan {
   ConditionOptions conditions;
   Budget budget = budget_named("default");
   std::uint64_t seed = 1;
-  bool genetic_only = false;         // the genetic algorithm alone, and no search learns from another
+  bool evolution_only = false;       // the genetic algorithm alone, and no search learns from another
   std::int64_t max_evaluations = 0;  // per model, over all passes; 0: none
 };
 

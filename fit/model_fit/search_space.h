@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 #include "fit/results/comparison.h"
 #include "libswarm/model.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 
 namespace swarmfit {
 

@@ -8,7 +8,7 @@
 #include <nlopt.hpp>
 #include <thread>
 
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 
 namespace swarmfit {
 namespace {

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <limits>
 
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 #include "fit/optimise/quadratic_model.h"
 #include "libtrack/error.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 double cost_of_one(const BatchCost& cost, const Point& x) { return cost({x}).front(); }
 
-std::int64_t budget_of(const GeneticOptions& options) {
+std::int64_t budget_of(const EvolutionOptions& options) {
   const std::int64_t planned = std::int64_t{options.population} * options.generations;
   return options.max_evaluations > 0 ? std::min(options.max_evaluations, planned) : planned;
 }
@@ -60,13 +60,14 @@ Found search(int dimensions, const BatchCost& cost, const SearchOptions& options
   if (!(options.refine_share >= 0 && options.refine_share < 1)) {
     throw InputError("search: refine share " + std::to_string(options.refine_share) + "; expected at least 0 and less than 1");
   }
-  const std::int64_t budget = budget_of(options.genetic);
-  GeneticOptions genetic = options.genetic;
-  const double refine_share = options.genetic_only ? 0 : options.refine_share;
-  genetic.max_evaluations = std::max<std::int64_t>(1, budget - static_cast<std::int64_t>(refine_share * static_cast<double>(budget)));
-  Found found{genetic_search(dimensions, cost, genetic, rng, start, on_generation), {{}, std::numeric_limits<double>::quiet_NaN()}, 0};
+  const std::int64_t budget = budget_of(options.evolution);
+  EvolutionOptions evolution = options.evolution;
+  const double refine_share = options.evolution_only ? 0 : options.refine_share;
+  evolution.max_evaluations = std::max<std::int64_t>(1, budget - static_cast<std::int64_t>(refine_share * static_cast<double>(budget)));
+  Found found{
+      differential_evolution(dimensions, cost, evolution, rng, start, on_generation), {{}, std::numeric_limits<double>::quiet_NaN()}, 0};
   if (found.best.empty()) return found;
-  if (found.stop != Stop::interrupted && !options.genetic_only) {
+  if (found.stop != Stop::interrupted && !options.evolution_only) {
     RefineOptions refinement = options.refine;
     refinement.starts = std::clamp(refinement.starts, 1, static_cast<int>(found.best.size()));
     refinement.evaluations = static_cast<int>((budget - found.evaluations - 1) / refinement.starts);
@@ -79,7 +80,7 @@ Found search(int dimensions, const BatchCost& cost, const SearchOptions& options
     }
   }
   found.recommended = found.best.front();
-  if (found.stop != Stop::interrupted && !options.genetic_only && found.evaluations < budget) try_response_surface(found, cost, start);
+  if (found.stop != Stop::interrupted && !options.evolution_only && found.evaluations < budget) try_response_surface(found, cost, start);
   return found;
 }
 

@@ -96,8 +96,8 @@ struct Sensitivity {
 
 // How sure the place of a model is, from recordings made by the fitted models (fit/compare/certainty.h).
 struct Certainty {
-  double goodness_p = NAN;                    // share of recordings made by this fit that are as far from it as the recording is
-  double goodness_q = NAN;                    // the same, adjusted for the number of models (libeval/false_discovery.h)
+  double gof_p = NAN;                         // share of recordings made by this fit that are as far from it as the recording is
+  double gof_q = NAN;                         // the same, adjusted for the number of models (libeval/false_discovery.h)
   int group = 0;                              // models of one group cannot be told apart, the best are group 1; 0: cannot be told
   double set_p = NAN;                         // p at which the model leaves the model confidence set of all
   double lower = NAN, upper = NAN;            // of the score, 95 %, over recordings as long as this one
@@ -117,7 +117,7 @@ struct Nearness {
 struct HeldOut {
   std::vector<double> scores;    // per way of HoldOutFacts, means over its searches; their mean is Standing::score
   double search_sd = NAN;        // how much the score scatters between searches of the same half; NaN: there was one
-  double goodness_p = NAN;       // as Certainty::goodness_p, of the recordings of both halves
+  double gof_p = NAN;            // as Certainty::gof_p, of the recordings of both halves
   std::int64_t simulations = 0;  // runs, beside those of SearchFacts
   Nearness nearness{};           // mean of both ways
 };

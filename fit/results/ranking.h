@@ -46,7 +46,7 @@ struct Ranking {
   bool mean_weights = true;  // each pass searches under the mean of the weights before it, else under the last
   bool weights_converged = false;
   std::vector<LagFacts> lags;    // ascending, those without a lag last
-  int laws = 0;                  // recordings made by each fitted model, behind Standing::certainty; 0: none
+  int bootstrap_recordings = 0;  // recordings made by each fitted model, behind Standing::certainty; 0: none
   Band band;                     // of the first model
   std::vector<LeftOut> without;  // per model by rank; empty for fewer than three
   bool walk_suffices = false;    // no model has more skill than the random walk, by two standard errors of both

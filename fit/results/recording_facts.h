@@ -41,7 +41,7 @@ struct ObservationFacts {
   std::string velocity;                              // "difference" or "recorded"
   PerColumn<double> independent{};                   // effective sample size of each column (libeval/independent.h); NaN undefined
   PerColumn<double> error_share{};                   // share of each column's variance that is localisation error; NaN unknown
-  PerColumn<bool> drowned{};                         // more of it is error than CompareOptions::error_limit
+  PerColumn<bool> error_dominated{};                 // more of it is error than CompareOptions::error_limit
   PerColumn<bool> used{};                            // is the column in the default score?
   PerColumn<std::string> why_not{};                  // the reason where it is not
   int longest_lag = 1;                               // that the recording carries (libeval/lags.h) [frames]

@@ -17,11 +17,11 @@ struct RecoveryCase {
   std::vector<double> scores;      // in that order
   std::vector<double> score_se;
   std::vector<int> group;  // those of one group cannot be told apart (Certainty::group)
-  std::vector<double> goodness_p;
+  std::vector<double> gof_p;
   int rank_of_planted = 0;  // 0: its score is undefined
 };
 inline auto fields(RecoveryCase& c) {  // as bytes (fit/store/bytes.h)
-  return std::tie(c.planted, c.seed, c.parameters, c.order, c.scores, c.score_se, c.group, c.goodness_p, c.rank_of_planted);
+  return std::tie(c.planted, c.seed, c.parameters, c.order, c.scores, c.score_se, c.group, c.gof_p, c.rank_of_planted);
 }
 
 // A row of a planted model's parameter table.

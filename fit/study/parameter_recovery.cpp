@@ -13,7 +13,7 @@
 #include "fit/experiment/time_step.h"
 #include "fit/infer/posterior_ranks.h"
 #include "fit/model_fit/parameter_posterior.h"
-#include "fit/store/kept.h"
+#include "fit/store/checkpointed.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -121,9 +121,9 @@ ParameterCoverage coverage(const std::vector<ParameterCase>& cases, std::size_t 
 
 std::pair<int, int> coverage_band(int n, int tests) {
   using Upwards = boost::math::policies::policy<boost::math::policies::discrete_quantile<boost::math::policies::integer_round_up>>;
-  const boost::math::binomial_distribution<double, Upwards> law(n, 0.95);
+  const boost::math::binomial_distribution<double, Upwards> held(n, 0.95);
   const double tail = 0.005 / tests;
-  return {static_cast<int>(quantile(law, tail)), static_cast<int>(quantile(law, 1 - tail))};
+  return {static_cast<int>(quantile(held, tail)), static_cast<int>(quantile(held, 1 - tail))};
 }
 
 ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case, const Runtime& runtime,
@@ -139,8 +139,8 @@ ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnPar
     if (!part.has(number)) continue;
     Point x(prior.dimensions());
     for (Eigen::Index a = 0; a < x.size(); ++a) x[a] = middle(Rng{seed}.uniform(Stream::probe, 0, static_cast<std::uint32_t>(a)));
-    if (auto one = kept<ParameterCase>(runtime.checkpoint, fmt::format("case {}", seed),
-                                       [&] { return one_case(options, compare, prior.parameters(x), seed, {runtime.executor}); }))
+    if (auto one = checkpointed<ParameterCase>(runtime.checkpoint, fmt::format("case {}", seed),
+                                               [&] { return one_case(options, compare, prior.parameters(x), seed, {runtime.executor}); }))
       out.cases.push_back(std::move(*one));
     else if (++out.left_out > kMostTries * options.seeds)
       break;

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fit/experiment/ensemble.h"
-#include "fit/store/kept.h"
+#include "fit/store/checkpointed.h"
 #include "libeval/lags.h"
 
 namespace swarmfit {
@@ -90,8 +90,8 @@ Power power(const Tracks& recording, const PowerOptions& options, const OnPower&
     for (int k = 1; k <= options.seeds; ++k) {
       again.seed = options.compare.seed + static_cast<std::uint64_t>(k);
       if (!hooks.part.has(number++)) continue;
-      auto one = kept<RecoveryCase>(hooks.runtime.checkpoint, fmt::format("case {} {}", model.name, again.seed), [&] {
-        const Run film = ensemble.run({parameters, Rng{again.seed}.derive(Stream::law, m)});
+      auto one = checkpointed<RecoveryCase>(hooks.runtime.checkpoint, fmt::format("case {} {}", model.name, again.seed), [&] {
+        const Run film = ensemble.run({parameters, Rng{again.seed}.derive(Stream::bootstrap, m)});
         if (film.blew_up) return std::optional<RecoveryCase>();
         return std::optional(
             recovery_case(m, model.name, again.seed, parameters, compare(film.seen, again, hooks.on_progress, {hooks.runtime.executor})));

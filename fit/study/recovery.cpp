@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/store/kept.h"
+#include "fit/store/checkpointed.h"
 #include "libswarm/simulate.h"
 #include "libtrack/error.h"
 
@@ -26,7 +26,7 @@ RecoveryCase recovery_case(std::size_t planted, const std::string& name, std::ui
     out.scores.push_back(fit.standing.score);
     out.score_se.push_back(fit.standing.in_sample.score_se);
     out.group.push_back(fit.standing.certainty.group);
-    out.goodness_p.push_back(fit.standing.certainty.goodness_p);
+    out.gof_p.push_back(fit.standing.certainty.gof_p);
     if (fit.model == name) out.rank_of_planted = fit.standing.rank;
   }
   return out;
@@ -112,7 +112,7 @@ Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on
       const std::uint64_t seed = options.compare.seed + static_cast<std::uint64_t>(k) - 1;
       compare_options.seed = seed;
       if (!hooks.part.has(number++)) continue;
-      add_case(out, *kept<RecoveryCase>(hooks.runtime.checkpoint, fmt::format("case {} {}", model.name, seed), [&] {
+      add_case(out, *checkpointed<RecoveryCase>(hooks.runtime.checkpoint, fmt::format("case {} {}", model.name, seed), [&] {
                  const auto parameters = varied(model, out.parameters.back(), options.scales, options.spread, seed, set);
                  const Tracks recording = planted_recording(model, parameters, options.film, options.scales, seed);
                  return std::optional(recovery_case(p, model.name, seed, parameters,

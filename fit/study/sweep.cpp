@@ -8,8 +8,8 @@
 #include <limits>
 #include <map>
 
-#include "fit/experiment/kept_work.h"
-#include "fit/optimise/genetic.h"
+#include "fit/experiment/checkpointed_batches.h"
+#include "fit/optimise/differential_evolution.h"
 #include "libeval/energy.h"
 #include "libeval/order.h"
 #include "libtrack/error.h"
@@ -204,7 +204,7 @@ Sweep run_sweep(const SweepOptions& options, const OnSweep& on_progress, const R
   const auto on_kept = [&](std::size_t done) {
     if (on_progress) on_progress(done, pieces.size());
   };
-  const auto results = kept_work(runtime.checkpoint, keys, work, on_kept);
+  const auto results = checkpointed_batches(runtime.checkpoint, keys, work, on_kept);
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     auto runs = from_bytes<std::vector<SweepRun>>(results[k]);
     const auto& cells = all[pieces[k] / seeds];

@@ -71,8 +71,8 @@ std::string unscored(const Comparison& c) {
 
 std::string scores_caption(const Comparison& c) {
   std::string out = "Entropy-weighted scores of the models (higher is better)";
-  if (c.ranking.laws > 0) out += ", with intervals. " + what_ranks_mean(c);
-  if (c.ranking.laws == 0) out += '.';
+  if (c.ranking.bootstrap_recordings > 0) out += ", with intervals. " + what_ranks_mean(c);
+  if (c.ranking.bootstrap_recordings == 0) out += '.';
   if (const std::string scores = what_held_out_means(c); !scores.empty()) out += ' ' + scores;
   if (c.recording.hold_out.used()) out += " Hollow: in sample.";
   return out + unscored(c);
@@ -192,8 +192,8 @@ Figure scores(const Comparison& c) {
     draw_scores(panel, y, c, k);
     write_row(sheet, panel.place({0, y}).y + 2.5, c, r, at);
   }
-  panel.x_axis(svg::plain(
-      fmt::format("score{}{}", c.ranking.laws > 0 ? ", 95 % interval" : "", c.recording.hold_out.used() ? "; hollow: in sample" : "")));
+  panel.x_axis(svg::plain(fmt::format("score{}{}", c.ranking.bootstrap_recordings > 0 ? ", 95 % interval" : "",
+                                      c.recording.hold_out.used() ? "; hollow: in sample" : "")));
   const std::string absent = unscored(c);
   double height = box.bottom() + 24;
   if (!absent.empty()) height = sheet.note(height + 8, std::string_view(absent).substr(1)) - 4;
@@ -207,7 +207,7 @@ Figure energies(const Comparison& c) {
   if (std::none_of(c.models.begin(), c.models.end(), defined)) return {"energies", "", ""};
   svg::Sheet sheet(c.models.size() * c.recording.columns.size() > 24 ? svg::kTwoColumns : svg::kOneColumn);
   std::vector<plot::Entry> legend = model_entries(c, plot::Sample::marker);
-  if (c.ranking.laws > 0) legend.push_back({plot::Sample::level, 0, "expected if the model were true"});
+  if (c.ranking.bootstrap_recordings > 0) legend.push_back({plot::Sample::level, 0, "expected if the model were true"});
   const double top = plot::legend_rows(sheet, 4, sheet.width(), 9, legend) + 8;
   const svg::Box box{26, top, sheet.width() - 30, 120};
   const Places at = places(c);
@@ -227,7 +227,7 @@ Figure energies(const Comparison& c) {
       "Raw energies ({}) with one standard error over the final "
       "replicates.{}{}{}",
       what_energy_means(c),
-      c.ranking.laws > 0 ? " Grey: energy expected if the model were true (mean over recordings simulated from it)." : "",
+      c.ranking.bootstrap_recordings > 0 ? " Grey: energy expected if the model were true (mean over recordings simulated from it)." : "",
       any_left_out(c) ? " In brackets: not in the score." : "", absent);
   return {"energies", caption, sheet.document(height, "Raw energies by metric", caption)};
 }

@@ -151,9 +151,9 @@ Html observation(const Comparison& c) {
   for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
     table.row({name_cell(escaped(c.recording.columns[m].name())), text_cell(c.recording.columns[m].symbol()),
                number_cell(percent(o.error_share[m])), number_cell(brief(o.independent[m], 2)),
-               text_cell(!counts(c, m)  ? "no"
-                         : o.drowned[m] ? "beyond measurement error"
-                                        : "yes"),
+               text_cell(!counts(c, m)          ? "no"
+                         : o.error_dominated[m] ? "beyond measurement error"
+                                                : "yes"),
                text_cell(why_left_out(c, m))});
   out += table.html();
   return out;

@@ -46,9 +46,9 @@ Difference difference(const Comparison& c, std::size_t k) {
 
 Html fit_verdict(const Comparison& c, const ModelFit& r) {
   const Certainty& sure = r.standing.certainty;
-  if (!std::isfinite(sure.goodness_q)) return escaped(kUndefined);
+  if (!std::isfinite(sure.gof_q)) return escaped(kUndefined);
   const std::string p = fit_p(c, r);
-  const bool rejected = sure.goodness_q <= 0.05;
+  const bool rejected = sure.gof_q <= 0.05;
   return element("span", rejected ? "flag" : "good",
                  escaped(fmt::format("{} (p {}{})", rejected ? "rejected" : "not rejected", p.starts_with("≤") ? "" : "= ", p)));
 }
@@ -135,7 +135,7 @@ Html result_figure(const Comparison& c) {
     table.row(cells, r.standing.rank == 1 ? "first" : "");
   }
   Html out = table.html();
-  if (paired && c.ranking.laws > 0)
+  if (paired && c.ranking.bootstrap_recordings > 0)
     out += element("p", "note",
                    markup("Models with the same letter are not distinguishable. Rejected: recordings simulated from the fitted model "
                           "are rarely as far from it as yours."));
@@ -167,7 +167,7 @@ Html heat_map(const Comparison& c) {
     weights.push_back({.content = escaped(counts(c, m) ? fixed(c.ranking.weights[m], 2) : kUndefined), .also = "mid"});
   table.foot(weights);
   Html out = table.html();
-  const bool expected = c.ranking.laws > 0;
+  const bool expected = c.ranking.bootstrap_recordings > 0;
   const PerColumn<bool>& used = c.recording.observation.used;
   const bool bracketed = std::any_of(used.begin(), used.end(), [](bool u) { return !u; });
   out += element("p", "note",
@@ -178,7 +178,8 @@ Html heat_map(const Comparison& c) {
                      expected ? " relative to the energy expected if the model were true (unshaded: less than about 1.5 times)"
                               : " relative to its maximum",
                      bracketed ? " In brackets: not in the score." : "")));
-  if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += element("p", "note", escaped(drowned));
+  if (const std::string error_dominated = what_drowned_means(c); !error_dominated.empty())
+    out += element("p", "note", escaped(error_dominated));
   out += svg_figure(parts::energies(c), "");
   return out;
 }

@@ -48,7 +48,7 @@ Json observation(const Columns& columns, const ObservationFacts& o) {
           {"velocity", o.velocity},
           {"independent_samples", per_column(columns, o.independent)},
           {"error_share", per_column(columns, o.error_share)},
-          {"drowned", per_column(columns, o.drowned)},
+          {"error_dominated", per_column(columns, o.error_dominated)},
           {"used", per_column(columns, o.used)},
           {"why_not", per_column(columns, o.why_not)},
           {"longest_lag", o.longest_lag}};
@@ -228,7 +228,7 @@ std::string to_json(const Comparison& c) {
                {"p1", per_column(c.recording.columns, c.ranking.p1)},
                {"p2", per_column(c.recording.columns, c.ranking.p2)},
                {"resolution", per_column(c.recording.columns, c.recording.resolution)},
-               {"laws", c.ranking.laws},
+               {"bootstrap_recordings", c.ranking.bootstrap_recordings},
                {"hold_out", hold_out(c.recording.hold_out)},
                {"weights_converged", c.ranking.weights_converged},
                {"calibration", c.ranking.mean_weights ? "mean" : "last"},

@@ -228,7 +228,7 @@ std::string details(const Comparison& c, TextStyle style) {
   out += paragraph("steps per frame: " + steps_taken(c), " ");
   out += energy_tables(c, style);
   out += paragraph("energy: " + what_energy_means(c), " ");
-  if (const std::string drowned = what_drowned_means(c); !drowned.empty()) out += paragraph(drowned, " ");
+  if (const std::string error_dominated = what_drowned_means(c); !error_dominated.empty()) out += paragraph(error_dominated, " ");
   if (const std::string lags = lag_weights(c) + lags_measured(c); !lags.empty()) out += paragraph(lags, " ");
   out += shapes_of(c, style);
   out += panel_text(c, style);

@@ -33,9 +33,9 @@ std::string main_misfit(const Comparison& c, const ModelFit& winner) {
                      brief(worst_energy(c.recording.binning)));
 }
 
-// "p = 0.31", "p ≤ 0.01" where no recording of the law lies beyond.
-std::string p_text(double p, int laws) {
-  return p * (1 + laws) < 1.5 ? fmt::format("p ≤ {}", brief(p, 2)) : fmt::format("p = {}", brief(p, 2));
+// "p = 0.31", "p ≤ 0.01" where no recording of the model lies beyond.
+std::string p_text(double p, int recordings) {
+  return p * (1 + recordings) < 1.5 ? fmt::format("p ≤ {}", brief(p, 2)) : fmt::format("p = {}", brief(p, 2));
 }
 
 // Observables outside the score that contradict the model.
@@ -44,13 +44,13 @@ std::string refuted(const ModelFit& r) {
   return facts.empty() ? std::string() : fmt::format("Simple observables contradict it: {}.", enumerate(facts));
 }
 
-bool explains(const ModelFit& r) { return r.standing.certainty.goodness_q > kAlpha; }
+bool explains(const ModelFit& r) { return r.standing.certainty.gof_q > kAlpha; }
 
 // Would the model make recordings like this one?
 std::string goodness(const Comparison& c, const ModelFit& r) {
-  const double p = r.standing.certainty.goodness_p;
+  const double p = r.standing.certainty.gof_p;
   if (!std::isfinite(p)) return {};
-  const std::string how = p_text(p, c.ranking.laws);
+  const std::string how = p_text(p, c.ranking.bootstrap_recordings);
   if (explains(r)) return fmt::format("The recording is as close to {0} as recordings simulated from {0} are ({1}).", r.model, how);
   return fmt::format("The recording is farther from {0} than recordings simulated from {0} are ({1}).", r.model, how);
 }
@@ -58,7 +58,7 @@ std::string goodness(const Comparison& c, const ModelFit& r) {
 // May be true of the best model, too.
 bool all_rejected(const std::vector<const ModelFit*>& scored) {
   return std::all_of(scored.begin(), scored.end(),
-                     [](const ModelFit* r) { return std::isfinite(r->standing.certainty.goodness_q) && !explains(*r); });
+                     [](const ModelFit* r) { return std::isfinite(r->standing.certainty.gof_q) && !explains(*r); });
 }
 
 // Which model has the highest score in sample, if that is another than the first.
@@ -88,14 +88,14 @@ Headline single(const Comparison& c, const ModelFit& only) {
 
 Headline tied(const Comparison& c, const std::vector<std::string>& together, const std::vector<const ModelFit*>& scored) {
   const ModelFit &first = *scored[0], &second = *scored[1];
-  return {
-      Verdict::tie,
-      all_rejected(scored)
-          ? fmt::format("Every fitted model is rejected (p ≤ 0.05); {} are least wrong and not distinguishable.", enumerate(together))
-          : fmt::format("{} are not distinguishable with this recording and budget.", enumerate(together)),
-      join({fmt::format("{} has the highest score, but its lead over {}, {}, is within chance ({}).", first.model, second.model,
-                        fixed(first.standing.score - second.standing.score, 3), p_text(second.standing.certainty.set_p, c.ranking.laws)),
-            goodness(c, first), refuted(first), first_in_sample(c, scored), main_misfit(c, first)})};
+  return {Verdict::tie,
+          all_rejected(scored)
+              ? fmt::format("Every fitted model is rejected (p ≤ 0.05); {} are least wrong and not distinguishable.", enumerate(together))
+              : fmt::format("{} are not distinguishable with this recording and budget.", enumerate(together)),
+          join({fmt::format("{} has the highest score, but its lead over {}, {}, is within chance ({}).", first.model, second.model,
+                            fixed(first.standing.score - second.standing.score, 3),
+                            p_text(second.standing.certainty.set_p, c.ranking.bootstrap_recordings)),
+                goodness(c, first), refuted(first), first_in_sample(c, scored), main_misfit(c, first)})};
 }
 
 Headline ranked(const Comparison& c, const std::vector<const ModelFit*>& scored) {
@@ -105,7 +105,7 @@ Headline ranked(const Comparison& c, const std::vector<const ModelFit*>& scored)
           all_rejected(scored) ? fmt::format("Every fitted model is rejected (p ≤ 0.05); {} is least wrong.", first.model)
                                : fmt::format("{} matches the recording best.", first.model),
           join({fmt::format("It leads {} by {} in score ({}).", second.model, fixed(first.standing.score - second.standing.score, 3),
-                            known ? p_text(second.standing.certainty.set_p, c.ranking.laws) : "certainty not known"),
+                            known ? p_text(second.standing.certainty.set_p, c.ranking.bootstrap_recordings) : "certainty not known"),
                 goodness(c, first), refuted(first), first_in_sample(c, scored), main_misfit(c, first)})};
 }
 
@@ -152,25 +152,25 @@ std::string why_left_out(const Comparison& c, std::size_t column) {
 
 std::string marked(const Comparison& c, std::size_t column, const std::string& symbol) {
   if (!counts(c, column)) return '(' + symbol + ')';
-  return c.recording.observation.drowned[column] ? symbol + '~' : symbol;
+  return c.recording.observation.error_dominated[column] ? symbol + '~' : symbol;
 }
 
 std::string what_drowned_means(const Comparison& c) {
   for (std::size_t m = 0; m < c.recording.columns.size(); ++m)
-    if (counts(c, m) && c.recording.observation.drowned[m])
+    if (counts(c, m) && c.recording.observation.error_dominated[m])
       return "~ mostly measurement error: differences smaller than the measurement error could cause are discounted.";
   return {};
 }
 
 std::string what_ranks_mean(const Comparison& c) {
-  if (c.ranking.laws == 0) return {};
+  if (c.ranking.bootstrap_recordings == 0) return {};
   return fmt::format(
       "{}fit p: fraction of recordings simulated from the model ({}) that fit it no better than yours; small means rejected{}. "
       "95 %: interval of the score across recordings of this length. fitted: number of fitted parameters.",
       c.models.size() > 1 ? "Models with the same letter are not distinguishable (model confidence set, 95 %); the test compares scores in "
                             "pairs, so intervals of different letters may overlap. "
                           : "",
-      c.ranking.laws, c.models.size() > 1 ? " (at 0.05, adjusted for the number of models)" : "");
+      c.ranking.bootstrap_recordings, c.models.size() > 1 ? " (at 0.05, adjusted for the number of models)" : "");
 }
 
 std::string_view gravity_title(Gravity gravity) {
@@ -186,8 +186,8 @@ std::string_view gravity_title(Gravity gravity) {
 }
 
 std::string fit_p(const Comparison& c, const ModelFit& r) {
-  const double p = r.standing.certainty.goodness_p;
-  return (p * (1 + c.ranking.laws) < 1.5 ? "≤ " : "") + fixed(p, 2);
+  const double p = r.standing.certainty.gof_p;
+  return (p * (1 + c.ranking.bootstrap_recordings) < 1.5 ? "≤ " : "") + fixed(p, 2);
 }
 
 std::string what_skill_means(const Comparison& c) {

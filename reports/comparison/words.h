@@ -36,7 +36,7 @@ std::string marked(const Comparison&, std::size_t column, const std::string& sym
 // "~ mostly measurement error: ..."; empty if no column is.
 std::string what_drowned_means(const Comparison&);
 
-// What the letters, the interval and the p of the ranking mean; empty without laws.
+// What the letters, the interval and the p of the ranking mean; empty without these.
 std::string what_ranks_mean(const Comparison&);
 
 // Heads the warnings of one gravity.

@@ -42,8 +42,7 @@ int in_best_group(const Recovery& r, std::size_t planted, const std::string& mod
 }
 
 int rejected(const Recovery& r, std::size_t planted, const std::string& model) {
-  return count(r, planted,
-               [&](const RecoveryCase& c) { return of_model(c, model, [&](std::size_t k) { return c.goodness_p[k] <= kAlpha; }); });
+  return count(r, planted, [&](const RecoveryCase& c) { return of_model(c, model, [&](std::size_t k) { return c.gof_p[k] <= kAlpha; }); });
 }
 
 }  // namespace swarmfit::counts_of

@@ -71,9 +71,8 @@ std::string recovery_csv(const Recovery& r) {
   std::string out = "planted,seed,rank,model,score,score_se,group,gof_p\n";
   for (const RecoveryCase& c : r.cases)
     for (std::size_t k = 0; k < c.order.size(); ++k)
-      out +=
-          fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(r.planted[c.planted]), c.seed, k + 1, csv_field(c.order[k]),
-                      exact(c.scores[k]), exact(c.score_se[k]), c.group[k] > 0 ? std::to_string(c.group[k]) : "", exact(c.goodness_p[k]));
+      out += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(r.planted[c.planted]), c.seed, k + 1, csv_field(c.order[k]),
+                         exact(c.scores[k]), exact(c.score_se[k]), c.group[k] > 0 ? std::to_string(c.group[k]) : "", exact(c.gof_p[k]));
   return out;
 }
 
@@ -94,7 +93,7 @@ std::string to_json(const Recovery& r, const Settings& conditions) {
                      {"scores", c.scores},
                      {"score_se", c.score_se},
                      {"group", c.group},
-                     {"gof_p", c.goodness_p}});
+                     {"gof_p", c.gof_p}});
   const Json all = {{"schema", "swarmfit-recovery/1"},
                     {"conditions", std::move(settings)},
                     {"compared", r.compared},

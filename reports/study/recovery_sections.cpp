@@ -194,7 +194,7 @@ Html cases_table(const Recovery& r) {
     const auto place = static_cast<std::size_t>(std::find(c.order.begin(), c.order.end(), maker) - c.order.begin());
     table.row({name_cell(escaped(maker)), number_cell(std::to_string(c.seed)), text_cell(c.order.front()),
                number_cell(fixed(c.scores.front(), 3)), number_cell(c.rank_of_planted > 0 ? std::to_string(c.rank_of_planted) : kUndefined),
-               number_cell(place < c.goodness_p.size() ? fixed(c.goodness_p[place], 2) : kUndefined),
+               number_cell(place < c.gof_p.size() ? fixed(c.gof_p[place], 2) : kUndefined),
                text_cell(best_group(c).empty() ? kUndefined : enumerate(best_group(c)))});
   }
   Html out = markup("<details><summary>All recordings</summary>");

@@ -87,7 +87,7 @@ std::map<std::string, double> fitted(const Tracks& known, const ModelChoice& mod
   CompareOptions options;
   options.models = {model};
   options.budget = budget_named(budget);
-  options.laws = 0;
+  options.bootstrap_recordings = 0;
   const Comparison c = compare(known, options);
   const auto values = parameter_values(model, c.models.front());
   std::map<std::string, double> out;

@@ -60,8 +60,8 @@ Lead lead_of(const Scene& s) {
     Conditions planted = held_out_conditions(other.tracks, fitted, other.warm_up);
     planted.reference = std::make_shared<const Tracks>();  // planted swarms stay at the origin
     Trial& trial = fresh[way];
-    trial.laws.recordings = law_of(Objective(s.options.models[0], planted, *trial.target), s.truth, {4711 + way}, kFresh);
-    trial.laws.scatter = {0, 0};
+    trial.bootstraps.recordings = bootstrap_of(Objective(s.options.models[0], planted, *trial.target), s.truth, {4711 + way}, kFresh);
+    trial.bootstraps.scatter = {0, 0};
     const ScoreDraws draws = score_draws(trial, pooled);
     out.truth += (draws.draws.col(0) - draws.draws.col(1)).mean() / static_cast<double>(fresh.size());
     ranked.push_back(in_order(held.trials[way], out.held_out >= 0 ? Order{0, 1} : Order{1, 0}));

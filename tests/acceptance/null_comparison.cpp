@@ -60,9 +60,9 @@ int main(int argc, char** argv) {
     tally.equal += equal;
     tally.first += !equal && best.model == model.name;
     tally.together += c.models[1].standing.certainty.group == 1;
-    tally.explained += best.standing.certainty.goodness_p > 0.05;
+    tally.explained += best.standing.certainty.gof_p > 0.05;
     fmt::print("{},{:.4f},{:.2f},{:.2f},{:.2f}\n", k, best.standing.score - c.models[1].standing.score,
-               c.models[1].standing.certainty.set_p, best.standing.certainty.goodness_p, c.models[1].standing.certainty.goodness_p);
+               c.models[1].standing.certainty.set_p, best.standing.certainty.gof_p, c.models[1].standing.certainty.gof_p);
     std::fflush(stdout);
   }
   fmt::print("{} of {}: the first won {}, the second {}, equal {}; not told apart {}; explained {}\n", model.name, recordings, tally.first,

@@ -312,7 +312,7 @@ TEST(Protocol, Ren2016IsTheLetter) {
   };
   const auto models = parse({"compare", "demo", "--preset", "models", "--protocol", "ren2016"});
   EXPECT_THAT(names(*models), ElementsAre("bswarm", "noise_aware", "boids", "rvo", "brownian"));
-  EXPECT_TRUE(models->compare.genetic_only);
+  EXPECT_TRUE(models->compare.evolution_only);
   EXPECT_TRUE(models->compare.requests.published);
   EXPECT_EQ(models->compare.conditions.entry, EntryVelocity::difference);
   const auto noises = parse({"compare", "demo", "--protocol", "ren2016", "--preset", "noise"});
@@ -320,8 +320,8 @@ TEST(Protocol, Ren2016IsTheLetter) {
                                           "bswarm[noise=white,noise_scaling=literal]"));
   const auto ours = parse({"compare", "demo", "--preset", "models"});
   EXPECT_THAT(names(*ours), testing::Contains("langevin"));
-  EXPECT_FALSE(ours->compare.genetic_only);
-  EXPECT_FALSE(parse({"compare", "demo", "--preset", "models", "--protocol", "ren2016", "--search", "full"})->compare.genetic_only);
+  EXPECT_FALSE(ours->compare.evolution_only);
+  EXPECT_FALSE(parse({"compare", "demo", "--preset", "models", "--protocol", "ren2016", "--search", "full"})->compare.evolution_only);
 }
 
 TEST(ConfigFile, RefusesWhatNoTomlFileCanHold) {

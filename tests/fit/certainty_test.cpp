@@ -34,15 +34,15 @@ struct Scene {
     const auto seeds = replicate_seeds({1}, Stream::final_seeds, kPooled);
     const Energies raw = objective.evaluate(values(noise), seeds).raw;
     fits.push_back({-cost_of(raw, weighting), raw});
-    laws.of.push_back(law_of(objective, values(noise), {1}, recordings));
-    laws.scatter.push_back(0);
+    bootstraps.of.push_back(bootstrap_of(objective, values(noise), {1}, recordings));
+    bootstraps.scatter.push_back(0);
   }
   void fill() {
-    laws.recordings = laws.of.front();
+    bootstraps.recordings = bootstraps.of.front();
     certainty = certainties(std::array{trial()}, kPooled);
   }
 
-  Trial trial() const { return {fits, laws, &target, weighting}; }
+  Trial trial() const { return {fits, bootstraps, &target, weighting}; }
 
   ModelChoice model = parse_model("bswarm");
   Tracks recording;
@@ -53,7 +53,7 @@ struct Scene {
   Weighting weighting = initial_weighting(std::vector<bool>(kMetrics, true), target.worst());
   std::vector<Scored> fits;
   std::vector<Certainty> certainty;
-  Laws laws{{}, {}, {}, {1}};
+  Bootstraps bootstraps{{}, {}, {}, {1}};
 };
 
 TEST(Certainty, TheTruthExplainsAndWhatIsWrongDoesNot) {
@@ -61,8 +61,8 @@ TEST(Certainty, TheTruthExplainsAndWhatIsWrongDoesNot) {
   s.add(1);
   s.add(2);
   s.fill();
-  EXPECT_GT(s.certainty[0].goodness_p, 0.05);
-  EXPECT_EQ(s.certainty[1].goodness_p, 1.0 / 40);
+  EXPECT_GT(s.certainty[0].gof_p, 0.05);
+  EXPECT_EQ(s.certainty[1].gof_p, 1.0 / 40);
   EXPECT_EQ(s.certainty[0].group, 1);
   EXPECT_EQ(s.certainty[1].group, 2);
   EXPECT_EQ(s.certainty[0].set_p, 1);
@@ -106,7 +106,7 @@ TEST(Certainty, SearchesThatMissTellNothingApart) {
   Scene s(3);
   s.add(1);
   s.add(2);
-  s.laws.scatter.assign(2, s.fits[0].score - s.fits[1].score);
+  s.bootstraps.scatter.assign(2, s.fits[0].score - s.fits[1].score);
   s.fill();
   EXPECT_EQ(s.certainty[1].group, 1);
 }
@@ -137,18 +137,18 @@ double l1(const Histogram& a, const Histogram& b) {
   return sum;
 }
 
-// A law of five runs, one of which blew up; every other is measured against the next three. By hand, as pooled distances and as scores.
+// A model's five runs, one of which blew up; every other is measured against the next three. By hand, as pooled distances and as scores.
 TEST(Certainty, OwnEnergiesAreThoseOfTheNextRuns) {
   for (const bool pooled : {false, true}) {
     Binning binning = Binning::standard(Normalisation::reference);
     binning.pooled = pooled;
     Scene s(3, binning);
     s.add(1, kPooled + 2);
-    Law& law = s.laws.of[0];
-    law[2].failed = true;
-    law[2].distributions = PerColumn<Distribution>(kMetrics);
+    Bootstrap& bootstrap = s.bootstraps.of[0];
+    bootstrap[2].failed = true;
+    bootstrap[2].distributions = PerColumn<Distribution>(kMetrics);
     s.fill();
-    const auto speeds = [&](std::size_t k) -> const Histogram& { return law[k].distributions[kSpeed].histogram; };
+    const auto speeds = [&](std::size_t k) -> const Histogram& { return bootstrap[k].distributions[kSpeed].histogram; };
     double pairs = 0;
     for (const std::size_t a : {0u, 1u, 3u, 4u})
       for (const std::size_t b : {0u, 1u, 3u, 4u}) pairs += l1(speeds(a), speeds(b)) / 12;
@@ -176,18 +176,18 @@ TEST(Certainty, OwnEnergiesAreThoseOfTheNextRuns) {
 // Shares 1/40 .. 40/40 in the first bin: quantiles 2.5 % and 97.5 % are those of an even ladder.
 TEST(Certainty, BandHoldsTheMiddleOfTheRecordingsBinByBin) {
   Scene s(3);
-  Law law;
+  Bootstrap bootstrap;
   for (std::uint64_t k = 1; k <= 40; ++k) {
-    law.push_back({PerColumn<Distribution>(kMetrics), false});
-    law.back().distributions[kSpeed].histogram = {{k, 40 - k}, 40, 0};
+    bootstrap.push_back({PerColumn<Distribution>(kMetrics), false});
+    bootstrap.back().distributions[kSpeed].histogram = {{k, 40 - k}, 40, 0};
   }
-  law.push_back({PerColumn<Distribution>(kMetrics), true});  // blew up
-  const Band band = band_of(law, s.target);
+  bootstrap.push_back({PerColumn<Distribution>(kMetrics), true});  // blew up
+  const Band band = band_of(bootstrap, s.target);
   EXPECT_THAT(band.lower[kSpeed], testing::Pointwise(testing::DoubleNear(1e-12), {(1 + 0.025 * 39) / 40, 0.025 * 39 / 40}));
   EXPECT_THAT(band.upper[kSpeed], testing::Pointwise(testing::DoubleNear(1e-12), {(1 + 0.975 * 39) / 40, 0.975 * 39 / 40}));
   EXPECT_TRUE(band.lower[kDistance].empty());
-  law.resize(38);
-  EXPECT_TRUE(band_of(law, s.target).lower[kSpeed].empty());
+  bootstrap.resize(38);
+  EXPECT_TRUE(band_of(bootstrap, s.target).lower[kSpeed].empty());
 }
 
 TEST(Certainty, TooFewRecordingsTellNothing) {
@@ -196,7 +196,7 @@ TEST(Certainty, TooFewRecordingsTellNothing) {
     s.add(1, recordings);
     s.fill();
     const Certainty& c = s.certainty[0];
-    EXPECT_THAT((std::vector{c.goodness_p, c.set_p, c.lower, c.upper}), Each(IsNan()));
+    EXPECT_THAT((std::vector{c.gof_p, c.set_p, c.lower, c.upper}), Each(IsNan()));
     EXPECT_THAT(c.own, Each(IsNan()));
     EXPECT_EQ(c.group, 0);
   }
@@ -206,13 +206,13 @@ TEST(Certainty, AModelThatAlwaysBlowsUpIsNotExplainedAway) {
   Scene s(3);
   s.add(1);
   s.add(1);
-  for (SingleRun& run : s.laws.of[1]) run = {PerColumn<Distribution>(kMetrics), true};
+  for (SingleRun& run : s.bootstraps.of[1]) run = {PerColumn<Distribution>(kMetrics), true};
   s.fits[1].raw = Energies(kMetrics, s.target.worst());
   s.fits[1].score = -cost_of(s.fits[1].raw, s.weighting);
   s.fill();
-  EXPECT_THAT(s.certainty[1].goodness_p, IsNan());
+  EXPECT_THAT(s.certainty[1].gof_p, IsNan());
   EXPECT_EQ(s.certainty[1].group, 2);
-  EXPECT_GT(s.certainty[0].goodness_p, 0.05);
+  EXPECT_GT(s.certainty[0].gof_p, 0.05);
 }
 
 TEST(Certainty, SameBitsForAnyNumberOfThreads) {
@@ -226,7 +226,7 @@ TEST(Certainty, SameBitsForAnyNumberOfThreads) {
     s.fill();
     found.emplace_back();
     for (const Certainty& c : s.certainty)
-      for (const double x : {c.goodness_p, c.set_p, c.lower, c.upper, c.own[kJerk]}) found.back().push_back(x);
+      for (const double x : {c.gof_p, c.set_p, c.lower, c.upper, c.own[kJerk]}) found.back().push_back(x);
   }
   omp_set_num_threads(before);
   EXPECT_EQ(found[0], found[1]);
@@ -240,7 +240,7 @@ TEST(Certainty, GoodnessIsUniformUnderTheTruth) {
     Scene s(seed);
     s.add(1, 19);
     s.fill();
-    const double p = s.certainty[0].goodness_p;
+    const double p = s.certainty[0].gof_p;
     low += p <= 0.05;
     half += p <= 0.5;
   }
@@ -273,10 +273,10 @@ TEST(Certainty, EveryModelExplainsItsOwnRecordings) {
       for (std::size_t j = 0; j < kMetrics; ++j) used.push_back(target.defined(j));
       const Weighting weighting = initial_weighting(used, target.worst());
       const Energies raw = objective.evaluate(truth, replicate_seeds({seed}, Stream::final_seeds, pooled)).raw;
-      const Law law = law_of(objective, truth, {seed}, 39);
+      const Bootstrap bootstrap = bootstrap_of(objective, truth, {seed}, 39);
       const auto sure =
-          certainties(std::array{Trial{{{-cost_of(raw, weighting), raw}}, {law, {law}, {0}, {1}}, &target, weighting}}, pooled);
-      rejected += sure[0].goodness_p <= 0.05;
+          certainties(std::array{Trial{{{-cost_of(raw, weighting), raw}}, {bootstrap, {bootstrap}, {0}, {1}}, &target, weighting}}, pooled);
+      rejected += sure[0].gof_p <= 0.05;
     }
   }
   EXPECT_LE(rejected, 4);

@@ -18,7 +18,7 @@ CompareOptions of(const std::vector<std::string>& models) {
   CompareOptions o;
   for (const auto& name : models) o.models.push_back(parse_model(name));
   o.budget = {"tiny", {8, 2, 1}, {4, 1, 1}, 1, 2, 1};
-  o.laws = 9;
+  o.bootstrap_recordings = 9;
   return o;
 }
 

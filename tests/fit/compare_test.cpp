@@ -28,7 +28,7 @@ CompareOptions tiny(const std::vector<std::string>& names, std::uint64_t seed = 
   o.binning = Binning::standard(Normalisation::reference);
   o.budget = {"tiny", {8, 6, 2}, {4, 3, 3}, 4, 3, 3};
   o.seed = seed;
-  o.laws = 9;
+  o.bootstrap_recordings = 9;
   return o;
 }
 
@@ -313,7 +313,7 @@ TEST(Compare, ASpeedThatHardlyVariesIsFound) {
   const Tracks recording = planted_recording(model, planted_parameters(model, scales, {{"max_speed", 137}}), film, scales, 1);
   auto options = tiny({"rvo"});
   options.budget = {"small", {16, 12, 1}, {6, 4, 2}, 2, 2, 1};
-  options.laws = 9;
+  options.bootstrap_recordings = 9;
   options.conditions.steps = 10;             // as filmed
   options.requests.set["max_speed"] = 1500;  // where the search starts: the default would be the recorded speed, which is the answer
   options.requests.bounds["max_speed"] = {20, 2000};

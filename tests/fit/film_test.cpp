@@ -56,7 +56,7 @@ TEST(Comparison, FilmIsTheFirstFinalReplicate) {
   options.models = {parse_model("brownian"), parse_model("langevin")};
   options.budget = budget_named("quick");
   options.max_evaluations = 20;
-  options.laws = 0;
+  options.bootstrap_recordings = 0;
   const Comparison c = compare(recording, options);
   expect_equal(c.film, recording);
   Conditions conditions = make_conditions(recording, options.conditions);

@@ -68,7 +68,7 @@ CompareOptions tiny() {
   CompareOptions o;
   o.models = {parse_model("bswarm"), parse_model("boids")};
   o.budget = {"tiny", {8, 6, 2}, {4, 3, 3}, 4, 3, 3};
-  o.laws = 39;
+  o.bootstrap_recordings = 39;
   return o;
 }
 
@@ -120,7 +120,7 @@ TEST(HoldOut, AWayIsAComparisonOfOneHalfScoredOnTheOther) {
   const ModelChoice model = parse_model("boids");
   Objective objective(model, conditions, target);
   objective.use_steps(of(compare(recording, options), "boids").runs.steps);
-  const auto raw = objective.evaluate(held.values[1][1], replicate_seeds(trial.laws.root, Stream::final_seeds, 3)).raw;
+  const auto raw = objective.evaluate(held.values[1][1], replicate_seeds(trial.bootstraps.root, Stream::final_seeds, 3)).raw;
   EXPECT_EQ(trial.models[1].raw, raw);
   EXPECT_NEAR(trial.models[1].score, -cost_of(raw, trial.weighting), 1e-12);
   EXPECT_EQ(held.facts.ways[1].fitted_first, fitted.recording.frames().front().number);

@@ -153,7 +153,7 @@ TEST_F(JournalTest, AComparisonGoesOnToTheSameResult) {
   options.models = {parse_model("brownian"), parse_model("langevin")};
   options.binning = Binning::standard(Normalisation::reference);
   options.budget = {"tiny", {8, 3, 2}, {4, 2, 3}, 4, 3, 2};
-  options.laws = 9;
+  options.bootstrap_recordings = 9;
   const Comparison plain = compare(recording, options);
   const auto scores = [](const Comparison& c) {
     std::vector<double> out;

@@ -29,7 +29,7 @@ CompareOptions tiny(std::vector<int> lags) {
   for (const char* name : {"bswarm", "boids", "langevin"}) o.models.push_back(parse_model(name));
   o.binning = Binning::standard(Normalisation::reference);
   o.budget = {"tiny", {8, 3, 2}, {4, 2, 2}, 3, 3, 2};
-  o.laws = 9;
+  o.bootstrap_recordings = 9;
   o.lags = std::move(lags);
   return o;
 }
@@ -112,8 +112,9 @@ TEST(CompareAtLags, ChoosesThemByTheErrorOfEveryColumn) {
   const Comparison clean = compare(swarm(), options), noisy = compare(swarm(0.5), options);
   EXPECT_THAT(lags_of(clean.recording.columns), ElementsAre(1));
   ASSERT_EQ(lags_of(noisy.recording.columns).size(), 2u);
-  EXPECT_TRUE(noisy.recording.observation.drowned[kJerk]);
-  EXPECT_TRUE(!noisy.recording.observation.drowned[7 + kJerk] || noisy.ranking.lags[1].lag == noisy.recording.observation.longest_lag);
+  EXPECT_TRUE(noisy.recording.observation.error_dominated[kJerk]);
+  EXPECT_TRUE(!noisy.recording.observation.error_dominated[7 + kJerk] ||
+              noisy.ranking.lags[1].lag == noisy.recording.observation.longest_lag);
   EXPECT_GT(noisy.ranking.lags[0].error_share, 0.5);
   EXPECT_LT(noisy.ranking.lags[1].error_share, noisy.ranking.lags[0].error_share);
   // To the paper's protocol error is nothing special.
@@ -127,10 +128,10 @@ TEST(CompareAtLags, WhatErrorDrownsCountsBeyondAsMuchErrorAgain) {
   const Target target(metric_samples(c.recording, c.metrics), Binning::standard(Normalisation::reference));
   auto options = tiny({1});
   options.resolution = false;
-  PerColumn<bool> drowned(kMetrics, false);
-  EXPECT_EQ(resolution(c, target, options, drowned), PerColumn<double>(kMetrics, 0.0));
-  drowned[kJerk] = true;
-  const PerColumn<double> floor = resolution(c, target, options, drowned);
+  PerColumn<bool> error_dominated(kMetrics, false);
+  EXPECT_EQ(resolution(c, target, options, error_dominated), PerColumn<double>(kMetrics, 0.0));
+  error_dominated[kJerk] = true;
+  const PerColumn<double> floor = resolution(c, target, options, error_dominated);
   const MetricSamples again = metric_samples(with_error(c.recording, c.sigma, options.seed), c.metrics);
   EXPECT_EQ(floor[kJerk], target.energies(target.distributions(again))[kJerk]);
   EXPECT_GT(floor[kJerk], 1) << "error doubled its variance";
@@ -142,10 +143,10 @@ TEST(CompareAtLags, WhatErrorDrownsIsScoredAndLimitsP2) {
   options.resolution = false;
   const Tracks recording = swarm(0.5);
   const Comparison floored = compare(recording, options);
-  ASSERT_TRUE(floored.recording.observation.drowned[kJerk] && floored.recording.observation.used[kJerk]);
+  ASSERT_TRUE(floored.recording.observation.error_dominated[kJerk] && floored.recording.observation.used[kJerk]);
   EXPECT_GT(floored.recording.resolution[kJerk], 0);
   EXPECT_GE(floored.ranking.p2[kJerk], floored.recording.resolution[kJerk]);
-  EXPECT_FALSE(floored.recording.observation.drowned[kDistance]);
+  EXPECT_FALSE(floored.recording.observation.error_dominated[kDistance]);
   EXPECT_EQ(floored.recording.resolution[kDistance], 0);
   options.error_limit = 1;
   EXPECT_EQ(compare(recording, options).recording.resolution[kJerk], 0);

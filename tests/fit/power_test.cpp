@@ -50,7 +50,7 @@ PowerOptions tiny() {
   PowerOptions o;
   o.compare.models = {parse_model("brownian"), parse_model("boids")};
   o.compare.budget = {"tiny", {8, 4, 1}, {4, 2, 2}, 2, 2, 2};
-  o.compare.laws = 9;
+  o.compare.bootstrap_recordings = 9;
   o.seeds = 2;
   return o;
 }

@@ -14,7 +14,7 @@ RecoveryOptions tiny() {
   RecoveryOptions o;
   o.compare.models = {parse_model("bswarm"), parse_model("boids")};
   o.compare.budget = {"tiny", {8, 4, 1}, {4, 2, 2}, 2, 2, 2};
-  o.compare.laws = 9;
+  o.compare.bootstrap_recordings = 9;
   o.compare.conditions.error = ConditionOptions::Error::none;
   o.planted = o.compare.models;
   o.film.agents = 8;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 #include "tests/fit/test_functions.h"
 
 namespace swarmfit {

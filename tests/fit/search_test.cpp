@@ -7,7 +7,7 @@
 #include <atomic>
 #include <limits>
 
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 #include "libtrack/error.h"
 #include "tests/fit/test_functions.h"
 
@@ -21,7 +21,7 @@ constexpr int goal_dimensions = 7;
 
 SearchOptions budget_of(int evaluations) {
   SearchOptions options;
-  options.genetic.generations = evaluations / options.genetic.population;
+  options.evolution.generations = evaluations / options.evolution.population;
   return options;
 }
 
@@ -53,11 +53,11 @@ TEST(Search, ReachesTheGoalOnTheNoisySphere) {
 TEST(Search, TheGeneticAlgorithmAlone) {
   const TestFunction f = rastrigin(3, 1);
   SearchOptions options = budget_of(400);
-  options.genetic_only = true;
-  GeneticOptions genetic = options.genetic;
-  genetic.max_evaluations = 400;
+  options.evolution_only = true;
+  EvolutionOptions evolution = options.evolution;
+  evolution.max_evaluations = 400;
   const auto found = search(3, f.batch(), options, Rng{1});
-  const auto alone = genetic_search(3, f.batch(), genetic, Rng{1});
+  const auto alone = differential_evolution(3, f.batch(), evolution, Rng{1});
   EXPECT_EQ(found.evaluations, alone.evaluations);
   EXPECT_EQ(found.best.front().x, alone.best.front().x);
   EXPECT_EQ(found.recommended.x, alone.best.front().x);
@@ -81,7 +81,7 @@ TEST(Search, BudgetIsNeverExceeded) {
     std::atomic<int> calls = 0;
     const auto f = rastrigin(3, 1);
     SearchOptions options = budget_of(4000);
-    options.genetic.max_evaluations = limit;
+    options.evolution.max_evaluations = limit;
     const auto found = search(
         3,
         [&](const std::vector<Point>& points) {

@@ -79,12 +79,12 @@ TEST(SkillWarnings, NoMemoryOfDirection) {
 
 TEST(SkillWarnings, RejectedAndYetAsCloseAsHalves) {
   Comparison c;
-  c.ranking.laws = 99;
+  c.ranking.bootstrap_recordings = 99;
   c.models = {named("a", 0.97, 0.01)};
   c.recording.skill.mean_floor = 0.1;
   c.recording.skill.mean_floor_sd = 0.01;
   c.recording.skill.mean_null = 0.5;  // so that the floor is uncertain by .025 of the scale
-  c.models[0].standing.certainty.goodness_p = 0.01;
+  c.models[0].standing.certainty.gof_p = 0.01;
   EXPECT_THAT(warnings_of_skill(c),
               ElementsAre(HasSubstr("a is rejected although its skill is 0.97: each metric alone is about as close as "
                                     "two halves of the recording")));
@@ -92,9 +92,9 @@ TEST(SkillWarnings, RejectedAndYetAsCloseAsHalves) {
   c.models[0].likeness.skill.value = 0.96;
   EXPECT_THAT(warnings_of_skill(c), IsEmpty());
   c.models[0].likeness.skill.value = 1.1;
-  c.models[0].standing.certainty.goodness_p = 0.04;
+  c.models[0].standing.certainty.gof_p = 0.04;
   EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("(fit p = 0.04)")));
-  c.models[0].standing.certainty.goodness_p = 0.06;
+  c.models[0].standing.certainty.gof_p = 0.06;
   EXPECT_THAT(warnings_of_skill(c), IsEmpty());
 }
 

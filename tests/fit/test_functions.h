@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 #include "libtrack/rng.h"
 
 namespace swarmfit::testing {

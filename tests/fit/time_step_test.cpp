@@ -112,7 +112,7 @@ TEST(TimeStep, AsManyAsAskedFor) {
   CompareOptions options;
   options.models = {parse_model("brownian"), parse_model("vicsek")};
   options.budget = {"tiny", {6, 3, 1}, {4, 1, 1}, 2, 2, 1};
-  options.laws = 0;
+  options.bootstrap_recordings = 0;
   options.conditions.steps = 3;
   for (const ModelFit& fit : compare(test::planted_swarm(1), options).models)
     EXPECT_EQ(fit.runs.steps, fit.model == "vicsek" ? 1 : 3) << fit.model;

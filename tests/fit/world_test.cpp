@@ -60,7 +60,7 @@ TEST(World, WallsOfTheRecordingMakeTheModelFitBetter) {
     return sum;
   };
   const double with = energy(within(kCorridor)), without = energy(open_space());
-  EXPECT_LT(with, 0.7 * without) << "the same law and the same seeds, but for the walls";
+  EXPECT_LT(with, 0.7 * without) << "the same model and the same seeds, but for the walls";
 }
 
 TEST(World, NobodyLeavesItOrIsInAnObstacle) {

@@ -145,7 +145,7 @@ void add_facts(Comparison& c) {
        {}};
   for (std::size_t m = 0; m < kMetrics; ++m) o.used[m] = m != kAngularAcceleration && m != kJerk;
   for (const std::size_t m : {kAngularAcceleration, kJerk}) o.why_not[m] = "it is constant or undefined in the recording";
-  o.drowned[kAcceleration] = true;
+  o.error_dominated[kAcceleration] = true;
   c.warnings = {"Acceleration, angular acceleration and jerk are mostly measurement error."};
   c.run.config = {{"data", "\"swarm.txt\""}, {"seed", "18446744073709551615"}, {"models", "\"bswarm,boids\""}};
 }
@@ -189,7 +189,7 @@ void add_skill(Comparison& c) {
 
 // Groups by the error of the scores: who is within two of a group's best belongs to it.
 void add_groups(Comparison& c) {
-  c.ranking.laws = 99;
+  c.ranking.bootstrap_recordings = 99;
   int group = 0;
   const ModelFit* best = nullptr;
   for (ModelFit& r : c.models) {

@@ -43,15 +43,15 @@ TEST(Headline, ModelsOfTheBestGroupAreATie) {
 
 TEST(Headline, SaysThatNoModelExplainsTheRecording) {
   Comparison c = in_groups({1, 2});
-  c.models[0].standing.certainty.goodness_p = c.models[0].standing.certainty.goodness_q = 0.01;
+  c.models[0].standing.certainty.gof_p = c.models[0].standing.certainty.gof_q = 0.01;
   EXPECT_EQ(headline(c).sentence, "a matches the recording best.");  // b could have made it
   EXPECT_THAT(headline(c).detail, HasSubstr("The recording is farther from a than recordings simulated from a are (p ≤ 0.01)."));
-  c.models[1].standing.certainty.goodness_q = 0.05;
+  c.models[1].standing.certainty.gof_q = 0.05;
   EXPECT_EQ(headline(c).sentence, "Every fitted model is rejected (p ≤ 0.05); a is least wrong.");
   c.models[1].standing.certainty.group = 1;
   EXPECT_EQ(headline(c).sentence, "Every fitted model is rejected (p ≤ 0.05); a and b are least wrong and not distinguishable.");
   c.models[1].standing.certainty.group = 2;
-  c.models[1].standing.certainty.goodness_q = NAN;
+  c.models[1].standing.certainty.gof_q = NAN;
   EXPECT_EQ(headline(c).sentence, "a matches the recording best.");
   c.models.pop_back();
   EXPECT_THAT(headline(c).sentence, HasSubstr("It is rejected (p ≤ 0.05)."));
@@ -129,12 +129,12 @@ TEST(Words, FittedValuesWithTheRangeOfTheHalves) {
 // One in a hundred is the least that 99 simulated recordings can say.
 TEST(Words, FitPThatIsABoundSaysSo) {
   Comparison c = in_groups({1, 2});
-  c.ranking.laws = 99;
-  c.models[0].standing.certainty.goodness_p = 0.01;
+  c.ranking.bootstrap_recordings = 99;
+  c.models[0].standing.certainty.gof_p = 0.01;
   EXPECT_EQ(fit_p(c, c.models[0]), "≤ 0.01");
-  c.models[0].standing.certainty.goodness_p = 0.02;
+  c.models[0].standing.certainty.gof_p = 0.02;
   EXPECT_EQ(fit_p(c, c.models[0]), "0.02");
-  c.models[0].standing.certainty.goodness_p = NAN;
+  c.models[0].standing.certainty.gof_p = NAN;
   EXPECT_EQ(fit_p(c, c.models[0]), "–");
 }
 

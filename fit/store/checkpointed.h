@@ -13,7 +13,7 @@ namespace swarmfit {
 // The part of this name: from the checkpoint, or else made, and kept there if there is one. Nothing is a part, too. T can be put into
 // bytes.
 template <class T, class Make>
-std::optional<T> kept(Checkpoint* checkpoint, const std::string& name, const Make& make) {
+std::optional<T> checkpointed(Checkpoint* checkpoint, const std::string& name, const Make& make) {
   if (!checkpoint) return make();
   const std::string key = sha256_hex(name);
   if (const auto bytes = checkpoint->find(key)) {

@@ -49,7 +49,7 @@ struct SearchResult {
   Stop stop = Stop::generations;
 };
 
-struct GeneticOptions {
+struct EvolutionOptions {
   // At the start, at least 4; shrinks linearly to a fifth over the planned evaluations.
   int population = 40;
   // population × generations evaluations are planned: as the population shrinks, generations become smaller and more.
@@ -78,8 +78,8 @@ using OnGeneration = std::function<bool(const GenerationReport&)>;
 // The first population is `start` (known costs, trusted and not evaluated again; the best of them if there are more than `population`)
 // filled up by a Latin hypercube; all of them inform the quadratic. The result's best are the last population. Throws InputError for
 // options out of range.
-SearchResult genetic_search(int dimensions, const BatchCost& cost, const GeneticOptions& options, const Rng& rng,
-                            const std::vector<Evaluated>& start = {}, const OnGeneration& on_generation = {});
+SearchResult differential_evolution(int dimensions, const BatchCost& cost, const EvolutionOptions& options, const Rng& rng,
+                                    const std::vector<Evaluated>& start = {}, const OnGeneration& on_generation = {});
 
 struct RefineOptions {
   int starts = 2;           // how many of the best are refined, side by side
@@ -94,10 +94,10 @@ struct RefineOptions {
 SearchResult refine(const std::vector<Evaluated>& starts, const BatchCost& cost, const RefineOptions& options);
 
 struct SearchOptions {
-  GeneticOptions genetic;     // its planned evaluations or max_evaluations, whichever is less, is the budget of everything
-  RefineOptions refine;       // its evaluations follow from the budget
-  double refine_share = 0.2;  // of the budget that the genetic algorithm leaves to the refinement, in [0, 1)
-  bool genetic_only = false;  // neither refinement nor response surface
+  EvolutionOptions evolution;   // its planned evaluations or max_evaluations, whichever is less, is the budget of everything
+  RefineOptions refine;         // its evaluations follow from the budget
+  double refine_share = 0.2;    // of the budget that the genetic algorithm leaves to the refinement, in [0, 1)
+  bool evolution_only = false;  // neither refinement nor response surface
 };
 
 // What a whole search found; `generations` and `stop` are the genetic algorithm's. On a rough landscape the cheapest point is mostly a
@@ -108,7 +108,7 @@ struct Found : SearchResult {
   double roughness = 0;   // standard deviation of the costs about a smooth surface near the best; 0: smooth, or too few points to tell
 };
 
-// genetic_search, then refine, then one evaluation of the response surface's minimum; never more evaluations than the budget.
+// differential_evolution, then refine, then one evaluation of the response surface's minimum; never more evaluations than the budget.
 // Candidates of final comparisons on fresh random numbers: `recommended` and the first of `best`.
 Found search(int dimensions, const BatchCost& cost, const SearchOptions& options, const Rng& rng, const std::vector<Evaluated>& start = {},
              const OnGeneration& on_generation = {});

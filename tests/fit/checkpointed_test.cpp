@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/store/kept.h"
+#include "fit/store/checkpointed.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -38,18 +38,18 @@ TEST_F(KeptTest, IsMadeOnceAndThenFound) {
   const auto make = [&] { return ++made, std::optional(recovery_example()); };
   {
     Checkpoint checkpoint(path(), kRun, [] {});
-    kept<RecoveryCase>(&checkpoint, "one", make);
-    kept<RecoveryCase>(&checkpoint, "other", make);
+    checkpointed<RecoveryCase>(&checkpoint, "one", make);
+    checkpointed<RecoveryCase>(&checkpoint, "other", make);
     EXPECT_EQ(made, 2);
   }
   Checkpoint checkpoint(path(), kRun);
-  const auto found = kept<RecoveryCase>(&checkpoint, "one", make);
+  const auto found = checkpointed<RecoveryCase>(&checkpoint, "one", make);
   EXPECT_EQ(made, 2);
   ASSERT_TRUE(found);
   EXPECT_EQ(bytes_of(*found), bytes_of(recovery_example()));
   EXPECT_EQ(found->order, recovery_example().order);
   EXPECT_EQ(found->group, recovery_example().group);
-  kept<RecoveryCase>(nullptr, "one", make);
+  checkpointed<RecoveryCase>(nullptr, "one", make);
   EXPECT_EQ(made, 3) << "nothing is kept without a checkpoint";
 }
 
@@ -58,10 +58,10 @@ TEST_F(KeptTest, NothingIsKeptAsNothing) {
   const auto make = [&]() -> std::optional<RecoveryCase> { return ++made, std::nullopt; };
   {
     Checkpoint checkpoint(path(), kRun, [] {});
-    EXPECT_FALSE(kept<RecoveryCase>(&checkpoint, "blew up", make));
+    EXPECT_FALSE(checkpointed<RecoveryCase>(&checkpoint, "blew up", make));
   }
   Checkpoint checkpoint(path(), kRun);
-  EXPECT_FALSE(kept<RecoveryCase>(&checkpoint, "blew up", make));
+  EXPECT_FALSE(checkpointed<RecoveryCase>(&checkpoint, "blew up", make));
   EXPECT_EQ(made, 1);
 }
 
@@ -72,7 +72,7 @@ TEST_F(KeptTest, WhatCannotBeReadIsMadeAgain) {
     Checkpoint(path(), kRun, [] {}).add({&record, 1});
     Checkpoint checkpoint(path(), kRun);
     int made = 0;
-    kept<RecoveryCase>(&checkpoint, "one", [&] { return ++made, std::optional(recovery_example()); });
+    checkpointed<RecoveryCase>(&checkpoint, "one", [&] { return ++made, std::optional(recovery_example()); });
     EXPECT_EQ(made, 1) << bytes.size();
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/experiment/kept_work.h"
+#include "fit/experiment/checkpointed_batches.h"
 
 #include <algorithm>
 
@@ -11,7 +11,8 @@ constexpr std::size_t kKeptTogether = 64;  // pieces between two records of a ch
 
 }  // namespace
 
-std::vector<std::string> kept_work(Checkpoint* checkpoint, std::span<const std::string> keys, const DoPieces& work, const OnKept& on_kept) {
+std::vector<std::string> checkpointed_batches(Checkpoint* checkpoint, std::span<const std::string> keys, const DoPieces& work,
+                                              const OnKept& on_kept) {
   std::vector<std::string> results(keys.size());
   std::vector<std::size_t> missing;
   for (std::size_t k = 0; k < keys.size(); ++k) {

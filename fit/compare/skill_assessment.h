@@ -9,13 +9,13 @@
 
 namespace swarmfit {
 
-// One replicate as the judge sees it.
-struct Judged {
+// One run beside the recording.
+struct AssessedRun {
   PerColumn<double> distance, wasserstein;  // from the recording: of halves against halves; [sd of the recording]
   Panel panel;                              // empty if it blew up
 };
 inline auto fields(Panel& p) { return std::tie(p.values, p.vacf); }  // as bytes (fit/store/bytes.h)
-inline auto fields(Judged& j) { return std::tie(j.distance, j.wasserstein, j.panel); }
+inline auto fields(AssessedRun& r) { return std::tie(r.distance, r.wasserstein, r.panel); }
 
 // Measures the recording and its surrogates once. Holds references, so the conditions must outlive it.
 //
@@ -23,16 +23,16 @@ inline auto fields(Judged& j) { return std::tie(j.distance, j.wasserstein, j.pan
 // walk of its own steps, and for d and eta its tracks shifted in time, where these lie farther than the halves do: by more than two
 // standard deviations over the choices of halves, in the mean over the columns. Where they do not, in the columns of the score or in all
 // that are defined, the scale is that of a coarser null: its places in random order.
-class Judge {
+class SkillAssessment {
  public:
   // used: columns on which the skill rests. seed: of the surrogates, the same for all models.
-  Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed, const Runtime& runtime = {});
+  SkillAssessment(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed, const Runtime& runtime = {});
 
-  // One run as the judge sees it: disjoint, and without a panel, if it blew up. From any thread.
-  Judged look(const Run& run) const;
+  // One run: disjoint from the recording, and without a panel, if it blew up. From any thread.
+  AssessedRun of(const Run& run) const;
 
   // How a model looks, from its runs; the scales of the group are not known here.
-  Likeness likeness(std::span<const Judged> runs) const;
+  Likeness likeness(std::span<const AssessedRun> runs) const;
 
   const SkillFacts& skill() const { return facts_; }
   PanelFacts panel() const;

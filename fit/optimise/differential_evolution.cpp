@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 
 #include <algorithm>
 #include <cassert>
@@ -128,7 +128,7 @@ struct Child {
 
 class Evolution {
  public:
-  Evolution(int dimensions, const BatchCost& cost, const GeneticOptions& options, const Rng& rng)
+  Evolution(int dimensions, const BatchCost& cost, const EvolutionOptions& options, const Rng& rng)
       : dimensions_(dimensions), cost_(cost), options_(options), rng_(rng) {
     const std::int64_t planned = std::int64_t{options.population} * options.generations;
     budget_ = options.max_evaluations > 0 ? std::min(options.max_evaluations, planned) : planned;
@@ -157,7 +157,7 @@ class Evolution {
 
   int dimensions_;
   const BatchCost& cost_;
-  const GeneticOptions& options_;
+  const EvolutionOptions& options_;
   const Rng& rng_;
   std::int64_t budget_ = 0, evaluations_ = 0;
   int generation_ = 0;
@@ -360,8 +360,8 @@ std::string to_string(Stop stop) {
   return "";
 }
 
-SearchResult genetic_search(int dimensions, const BatchCost& cost, const GeneticOptions& options, const Rng& rng,
-                            const std::vector<Evaluated>& start, const OnGeneration& on_generation) {
+SearchResult differential_evolution(int dimensions, const BatchCost& cost, const EvolutionOptions& options, const Rng& rng,
+                                    const std::vector<Evaluated>& start, const OnGeneration& on_generation) {
   require(dimensions >= 1, "dimensions", dimensions, "at least 1");
   require(options.population >= least_population, "population", options.population, "at least 4");
   require(options.generations >= 1, "generations", options.generations, "at least 1");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/compare/judge.h"
+#include "fit/compare/skill_assessment.h"
 
 #include <gmock/gmock.h>
 #include <omp.h>
@@ -29,18 +29,19 @@ ModelFit named(const std::string& name, double skill, double se) {
   return r;
 }
 
-std::vector<Judged> looks(const Judge& judge, const Ensemble& ensemble, const std::vector<double>& parameters, std::span<const Rng> seeds) {
-  return ensemble.measured<Judged>(jobs_on(parameters, seeds), "", [&](const Run& run, std::size_t) { return judge.look(run); });
+std::vector<AssessedRun> assessed(const SkillAssessment& assessment, const Ensemble& ensemble, const std::vector<double>& parameters,
+                                  std::span<const Rng> seeds) {
+  return ensemble.measured<AssessedRun>(jobs_on(parameters, seeds), "", [&](const Run& run, std::size_t) { return assessment.of(run); });
 }
 
-// What a judge makes of a comparison whose models are judged.
-void tell(const Judge& judge, Comparison& c) {
-  c.recording.skill = judge.skill();
-  c.recording.panel = judge.panel();
-  c.ranking.walk_suffices = walk_suffices(judge.skill(), c.models);
+// What is said of a comparison whose models were assessed.
+void tell(const SkillAssessment& assessment, Comparison& c) {
+  c.recording.skill = assessment.skill();
+  c.recording.panel = assessment.panel();
+  c.ranking.walk_suffices = walk_suffices(assessment.skill(), c.models);
 }
 
-// A judge of a recording that bswarm planted, and the model that planted it.
+// A recording that bswarm planted, and the model that planted it.
 struct Planted {
   Tracks recording = test::planted_swarm(3);
   Conditions conditions = make_conditions(recording, {});
@@ -50,10 +51,10 @@ struct Planted {
   std::vector<double> truth = scene_parameters(model, test::midge_parameters());
   std::vector<Rng> seeds = replicate_seeds({1}, Stream::final_seeds, 4);
 
-  ModelFit judged(const Judge& judge, const std::vector<double>& parameters) const {
-    ModelFit fit;
-    fit.likeness = judge.likeness(looks(judge, objective.ensemble(), parameters, seeds));
-    return fit;
+  ModelFit fit(const SkillAssessment& assessment, const std::vector<double>& parameters) const {
+    ModelFit out;
+    out.likeness = assessment.likeness(assessed(assessment, objective.ensemble(), parameters, seeds));
+    return out;
   }
   std::vector<double> with_gamma(double factor) const {
     auto p = truth;
@@ -62,10 +63,10 @@ struct Planted {
   }
 };
 
-TEST(Judge, TruthIsNearOneAndWrongIsFarBelow) {
+TEST(SkillAssessment, TruthIsNearOneAndWrongIsFarBelow) {
   const Planted planted;
-  const Judge judge(planted.conditions, kAllUsed, 1);
-  const ModelFit truth = planted.judged(judge, planted.truth), wrong = planted.judged(judge, planted.with_gamma(10));
+  const SkillAssessment assessment(planted.conditions, kAllUsed, 1);
+  const ModelFit truth = planted.fit(assessment, planted.truth), wrong = planted.fit(assessment, planted.with_gamma(10));
   EXPECT_GT(truth.likeness.skill.value, 0.8);
   EXPECT_LT(truth.likeness.skill.value, 1.2);
   EXPECT_LT(wrong.likeness.skill.value, truth.likeness.skill.value - 5 * std::hypot(truth.likeness.skill.se, wrong.likeness.skill.se));
@@ -74,14 +75,14 @@ TEST(Judge, TruthIsNearOneAndWrongIsFarBelow) {
 }
 
 // The skill from the numbers of the tables alone.
-TEST(Judge, SkillFollowsFromTheDistancesShown) {
+TEST(SkillAssessment, SkillFollowsFromTheDistancesShown) {
   const Planted planted;
   PerColumn<bool> used{};
   used[kSpeed] = used[kAngularVelocity] = used[kDistance] = true;
-  const Judge judge(planted.conditions, used, 1);
+  const SkillAssessment assessment(planted.conditions, used, 1);
   Comparison c;
-  c.models.push_back(planted.judged(judge, planted.truth));
-  tell(judge, c);
+  c.models.push_back(planted.fit(assessment, planted.truth));
+  tell(assessment, c);
   const auto mean = [&](const PerColumn<double>& x) { return (x[kSpeed] + x[kAngularVelocity] + x[kDistance]) / 3; };
   const double floor = mean(c.recording.skill.floor), null = mean(c.recording.skill.null);
   EXPECT_NEAR(c.models[0].likeness.skill.value, 1 - (mean(c.models[0].likeness.total_variation) - floor) / (null - floor), 1e-9);
@@ -90,32 +91,32 @@ TEST(Judge, SkillFollowsFromTheDistancesShown) {
 }
 
 // v alone tells nothing, since the walker has the recorded speeds.
-TEST(Judge, SkillRestsOnAllMetricsIfThoseOfTheScoreTellNothing) {
+TEST(SkillAssessment, SkillRestsOnAllMetricsIfThoseOfTheScoreTellNothing) {
   const Planted planted;
   PerColumn<bool> speed{};
   speed[kSpeed] = true;
   Comparison c;
-  tell(Judge(planted.conditions, speed, 1), c);
+  tell(SkillAssessment(planted.conditions, speed, 1), c);
   EXPECT_EQ(c.recording.skill.used, kAllUsed);
   EXPECT_GT(c.recording.skill.mean_null, c.recording.skill.mean_floor);
 }
 
-TEST(Judge, BlownUpRunsCountAsDisjointAndHaveNoPanel) {
+TEST(SkillAssessment, BlownUpRunsCountAsDisjointAndHaveNoPanel) {
   const Planted planted;
-  const Judge judge(planted.conditions, kAllUsed, 1);
-  const ModelFit fit = planted.judged(judge, planted.with_gamma(1e11));
+  const SkillAssessment assessment(planted.conditions, kAllUsed, 1);
+  const ModelFit fit = planted.fit(assessment, planted.with_gamma(1e11));
   EXPECT_THAT(fit.likeness.total_variation, Each(1.0));
   EXPECT_LT(fit.likeness.skill.value, 0);
   ASSERT_EQ(fit.likeness.panel.size(), panel_plan(planted.recording).items().size());
   for (const Estimate& e : fit.likeness.panel) EXPECT_THAT(e.value, IsNan());
 }
 
-TEST(Judge, PanelOfTheTruthIsThatOfTheRecording) {
+TEST(SkillAssessment, PanelOfTheTruthIsThatOfTheRecording) {
   const Planted planted;
-  const Judge judge(planted.conditions, kAllUsed, 1);
+  const SkillAssessment assessment(planted.conditions, kAllUsed, 1);
   Comparison c;
-  c.models.push_back(planted.judged(judge, planted.truth));
-  tell(judge, c);
+  c.models.push_back(planted.fit(assessment, planted.truth));
+  tell(assessment, c);
   ASSERT_EQ(c.recording.panel.items.size(), c.models[0].likeness.panel.size());
   ASSERT_EQ(c.recording.panel.recording_vacf.size(), c.recording.panel.lags.size());
   std::size_t off = 0;
@@ -126,16 +127,16 @@ TEST(Judge, PanelOfTheTruthIsThatOfTheRecording) {
   EXPECT_LE(off, 2u);
 }
 
-TEST(Judge, SameBitsForAnyNumberOfThreads) {
+TEST(SkillAssessment, SameBitsForAnyNumberOfThreads) {
   const Planted planted;
   const int before = omp_get_max_threads();
   std::vector<Comparison> results;
   for (const int threads : {1, 4}) {
     omp_set_num_threads(threads);
-    const Judge judge(planted.conditions, kAllUsed, 1);
+    const SkillAssessment assessment(planted.conditions, kAllUsed, 1);
     results.emplace_back();
-    results.back().models.push_back(planted.judged(judge, planted.truth));
-    tell(judge, results.back());
+    results.back().models.push_back(planted.fit(assessment, planted.truth));
+    tell(assessment, results.back());
   }
   omp_set_num_threads(before);
   EXPECT_EQ(results[0].models[0].likeness.skill.value, results[1].models[0].likeness.skill.value);
@@ -154,11 +155,11 @@ Tracks lattice() {
 }
 
 // Fixed seeds: independent particles, and the same ones held apart on a lattice that breathes.
-TEST(Judge, SeesInteractionWhereThereIsSome) {
+TEST(SkillAssessment, SeesInteractionWhereThereIsSome) {
   const auto p_of = [](const Tracks& tracks) {
     const Conditions conditions = make_conditions(tracks, {});
     Comparison c;
-    tell(Judge(conditions, kAllUsed, 1), c);
+    tell(SkillAssessment(conditions, kAllUsed, 1), c);
     c.models.resize(1);
     c.models[0].likeness.skill = {1, 0};
     return std::pair(c.recording.skill.interaction_p[0], warnings_of_skill(c));
@@ -187,18 +188,18 @@ Tracks random_walks(std::uint64_t seed, std::uint32_t walkers = 10, std::int64_t
 }
 
 // Its own random walks are as close to it as its halves are, and no model comes closer; the scale is that of its places.
-TEST(Judge, ARandomWalkIsAnAnswer) {
+TEST(SkillAssessment, ARandomWalkIsAnAnswer) {
   const Tracks recording = random_walks(1);
   const Conditions conditions = make_conditions(recording, {});
   const Target target(metric_samples(recording), Binning::standard(Normalisation::reference));
   const ModelChoice model = parse_model("langevin");
   const Ensemble ensemble(model, conditions);
-  const Judge judge(conditions, kAllUsed, 1);
+  const SkillAssessment assessment(conditions, kAllUsed, 1);
   Comparison c;
   c.models.emplace_back();
-  c.models[0].likeness =
-      judge.likeness(looks(judge, ensemble, scene_parameters(model, {{"sigma_eta", 100}}), replicate_seeds({1}, Stream::final_seeds, 4)));
-  tell(judge, c);
+  c.models[0].likeness = assessment.likeness(
+      assessed(assessment, ensemble, scene_parameters(model, {{"sigma_eta", 100}}), replicate_seeds({1}, Stream::final_seeds, 4)));
+  tell(assessment, c);
   EXPECT_EQ(c.recording.skill.null_of, SkillNull::places);
   EXPECT_NEAR(c.recording.skill.walker.value, 1, 0.05);
   EXPECT_GT(c.recording.skill.memory_p, 0.05);
@@ -214,11 +215,11 @@ TEST(Judge, ARandomWalkIsAnAnswer) {
 }
 
 // p of the random walk is uniform on random walks: of 20, one is expected at p <= 0.05, and the probability of more than five is 0.0003.
-TEST(Judge, MemoryIsFoundWhereThereIsSome) {
+TEST(SkillAssessment, MemoryIsFoundWhereThereIsSome) {
   const auto facts_of = [](const Tracks& recording) {
     Comparison c;
     const Conditions conditions = make_conditions(recording, {});
-    tell(Judge(conditions, kAllUsed, 1), c);
+    tell(SkillAssessment(conditions, kAllUsed, 1), c);
     return c.recording.skill;
   };
   int found = 0;
@@ -232,13 +233,13 @@ TEST(Judge, MemoryIsFoundWhereThereIsSome) {
 }
 
 // Neighbours alone say nothing of a walk: on a lattice they tell the recording from its surrogates.
-TEST(Judge, TheWalkHasASkillWhereMotionCounts) {
+TEST(SkillAssessment, TheWalkHasASkillWhereMotionCounts) {
   const Conditions conditions = make_conditions(lattice(), {});
   PerColumn<bool> distance{};
   distance[kDistance] = true;
   Comparison c;
   c.models = {named("a", -1, 0.01)};
-  tell(Judge(conditions, distance, 1), c);
+  tell(SkillAssessment(conditions, distance, 1), c);
   ASSERT_EQ(c.recording.skill.used, distance);
   EXPECT_THAT(c.recording.skill.walker.value, IsNan());
   EXPECT_THAT(c.recording.skill.memory_p, IsNan());
@@ -246,28 +247,28 @@ TEST(Judge, TheWalkHasASkillWhereMotionCounts) {
 }
 
 // On the scale of the walk: as close as that within two standard errors, or closer?
-TEST(Judge, SaysWhetherAnyModelIsCloserThanTheWalk) {
+TEST(SkillAssessment, SaysWhetherAnyModelIsCloserThanTheWalk) {
   const Planted planted;
-  const Judge judge(planted.conditions, kAllUsed, 1);
+  const SkillAssessment assessment(planted.conditions, kAllUsed, 1);
   const auto suffices = [&](const std::vector<Estimate>& skills) {
     Comparison c;
     for (const Estimate& e : skills) c.models.push_back(named("a", e.value, e.se));
-    tell(judge, c);
+    tell(assessment, c);
     return c.ranking.walk_suffices;
   };
   EXPECT_TRUE(suffices({{-0.3, 0.01}, {0.15, 0.1}}));
   EXPECT_FALSE(suffices({{-0.3, 0.01}, {0.15, 0.05}}));
-  EXPECT_FALSE(suffices({{NAN, NAN}})) << "nobody was judged";
+  EXPECT_FALSE(suffices({{NAN, NAN}})) << "nobody was assessed";
   EXPECT_TRUE(suffices({{NAN, NAN}, {0, 0}}));
 }
 
-TEST(Judge, TellsWhatRefutesAModel) {
+TEST(SkillAssessment, TellsWhatRefutesAModel) {
   const Planted planted;
-  const Judge judge(planted.conditions, kAllUsed, 1);
-  EXPECT_THAT(planted.judged(judge, planted.truth).likeness.refuted_by, testing::IsEmpty());
+  const SkillAssessment assessment(planted.conditions, kAllUsed, 1);
+  EXPECT_THAT(planted.fit(assessment, planted.truth).likeness.refuted_by, testing::IsEmpty());
   ModelFit fit;
-  fit.likeness =
-      judge.likeness(looks(judge, planted.objective.ensemble(), planted.with_gamma(10), replicate_seeds({1}, Stream::final_seeds, 12)));
+  fit.likeness = assessment.likeness(
+      assessed(assessment, planted.objective.ensemble(), planted.with_gamma(10), replicate_seeds({1}, Stream::final_seeds, 12)));
   ASSERT_THAT(fit.likeness.refuted_by, testing::Not(testing::IsEmpty()));
   EXPECT_TRUE(std::any_of(fit.likeness.refuted_by.begin(), fit.likeness.refuted_by.end(),
                           [](const Refutation& f) { return f.item.key == "speed"; }));

@@ -19,7 +19,7 @@ using OnKept = std::function<void(std::size_t)>;
 
 // The result of every piece: what is in the checkpoint under its key, the others done and kept 64 at a time, at most what a kill costs.
 // Without a checkpoint the batches are done, and nothing is kept. Throws what the work throws, Interrupted, RunError.
-std::vector<std::string> kept_work(Checkpoint* checkpoint, std::span<const std::string> keys, const DoPieces& work,
-                                   const OnKept& on_kept = {});
+std::vector<std::string> checkpointed_batches(Checkpoint* checkpoint, std::span<const std::string> keys, const DoPieces& work,
+                                              const OnKept& on_kept = {});
 
 }  // namespace swarmfit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/optimise/genetic.h"
+#include "fit/optimise/differential_evolution.h"
 
 #include <gmock/gmock.h>
 
@@ -41,8 +41,8 @@ struct Recorder {
   }
 };
 
-GeneticOptions budget_of(std::int64_t evaluations) {
-  GeneticOptions options;
+EvolutionOptions budget_of(std::int64_t evaluations) {
+  EvolutionOptions options;
   options.generations = 1000;
   options.max_evaluations = evaluations;
   return options;
@@ -73,9 +73,9 @@ TEST(TestFunctions, NoiseIsFrozenStandardNormalAndIndependentBetweenNeighbours) 
   EXPECT_NEAR(products / n, 0, 4 / std::sqrt(n));
 }
 
-TEST(GeneticSearch, FirstGenerationIsALatinHypercube) {
+TEST(DifferentialEvolution, FirstGenerationIsALatinHypercube) {
   Recorder recorder{sphere(5, 1).cost, {}};
-  genetic_search(5, recorder.batch(), budget_of(40), Rng{1});
+  differential_evolution(5, recorder.batch(), budget_of(40), Rng{1});
   ASSERT_EQ(recorder.batches.size(), 1u);
   ASSERT_EQ(recorder.batches[0].size(), 40u);
   for (int k = 0; k < 5; ++k) {
@@ -85,25 +85,25 @@ TEST(GeneticSearch, FirstGenerationIsALatinHypercube) {
   }
 }
 
-TEST(GeneticSearch, FindsThePlantedOptimum) {
+TEST(DifferentialEvolution, FindsThePlantedOptimum) {
   for (const int d : {1, 2, 5}) {
     const auto f = sphere(d, 4);
-    const auto result = genetic_search(d, f.batch(), budget_of(1500), Rng{2});
+    const auto result = differential_evolution(d, f.batch(), budget_of(1500), Rng{2});
     EXPECT_LT((result.best.front().x - f.optimum).lpNorm<Eigen::Infinity>(), 1e-4) << d << " dimensions";
   }
 }
 
-TEST(GeneticSearch, NeverLeavesTheCubeEvenWithTheOptimumInACorner) {
+TEST(DifferentialEvolution, NeverLeavesTheCubeEvenWithTheOptimumInACorner) {
   Recorder recorder{[](const Point& x) { return x.sum(); }, {}};
-  const auto result = genetic_search(4, recorder.batch(), budget_of(1500), Rng{3});
+  const auto result = differential_evolution(4, recorder.batch(), budget_of(1500), Rng{3});
   for (const Point& x : recorder.all()) EXPECT_THAT(x, Each(AllOf(Ge(0.0), Le(1.0))));
   EXPECT_LT(result.best.front().cost, 1e-3);
 }
 
-TEST(GeneticSearch, BudgetIsNeverExceeded) {
+TEST(DifferentialEvolution, BudgetIsNeverExceeded) {
   for (const std::int64_t limit : {1, 3, 39, 40, 41, 97, 500}) {
     Recorder recorder{rastrigin(3, 1).cost, {}};
-    const auto result = genetic_search(3, recorder.batch(), budget_of(limit), Rng{1});
+    const auto result = differential_evolution(3, recorder.batch(), budget_of(limit), Rng{1});
     EXPECT_EQ(static_cast<std::int64_t>(recorder.all().size()), limit);
     EXPECT_EQ(result.evaluations, limit);
     EXPECT_EQ(static_cast<std::int64_t>(result.visited.size()), limit);
@@ -111,11 +111,11 @@ TEST(GeneticSearch, BudgetIsNeverExceeded) {
   }
 }
 
-TEST(GeneticSearch, ChildrenRaceAgainstTheirOwnParents) {
+TEST(DifferentialEvolution, ChildrenRaceAgainstTheirOwnParents) {
   const auto f = rastrigin(3, 1);
-  GeneticOptions options = budget_of(400);
+  EvolutionOptions options = budget_of(400);
   Recorder recorder{f.cost, {}};
-  const auto plain = genetic_search(3, recorder.batch(), options, Rng{1});
+  const auto plain = differential_evolution(3, recorder.batch(), options, Rng{1});
   int given_up = 0;
   options.race = [&](const std::vector<Point>& children, const std::vector<Point>& parents) {
     std::vector<double> costs;
@@ -128,7 +128,7 @@ TEST(GeneticSearch, ChildrenRaceAgainstTheirOwnParents) {
     return costs;
   };
   Recorder first{f.cost, {}};
-  const auto raced = genetic_search(3, first.batch(), options, Rng{1});
+  const auto raced = differential_evolution(3, first.batch(), options, Rng{1});
   EXPECT_EQ(static_cast<int>(first.all().size()), options.population) << "the first population has no parents";
   EXPECT_EQ(raced.evaluations, plain.evaluations) << "who was given up counts as well";
   EXPECT_GT(given_up, 100);
@@ -138,28 +138,28 @@ TEST(GeneticSearch, ChildrenRaceAgainstTheirOwnParents) {
   EXPECT_LT(raced.best.front().cost, 5) << "and the search still works";
 }
 
-TEST(GeneticSearch, PlanIsPopulationTimesGenerations) {
-  GeneticOptions options;
+TEST(DifferentialEvolution, PlanIsPopulationTimesGenerations) {
+  EvolutionOptions options;
   options.population = 20;
   options.generations = 10;
   Recorder recorder{rastrigin(6, 1).cost, {}};
-  const auto result = genetic_search(6, recorder.batch(), options, Rng{1});
+  const auto result = differential_evolution(6, recorder.batch(), options, Rng{1});
   EXPECT_EQ(result.evaluations, 200);
   EXPECT_EQ(result.stop, Stop::generations);
   EXPECT_EQ(result.generations, static_cast<int>(recorder.batches.size()));
 }
 
-TEST(GeneticSearch, PopulationShrinksToAFifth) {
+TEST(DifferentialEvolution, PopulationShrinksToAFifth) {
   Recorder recorder{rastrigin(6, 1).cost, {}};
-  genetic_search(6, recorder.batch(), budget_of(2400), Rng{1});
+  differential_evolution(6, recorder.batch(), budget_of(2400), Rng{1});
   const auto& batches = recorder.batches;
   for (std::size_t g = 1; g < batches.size(); ++g) EXPECT_LE(batches[g].size(), batches[g - 1].size());
   EXPECT_EQ(batches[batches.size() - 2].size(), 8u);
 }
 
-TEST(GeneticSearch, BestIsAscendingDistinctAndAmongTheVisited) {
+TEST(DifferentialEvolution, BestIsAscendingDistinctAndAmongTheVisited) {
   const auto f = rastrigin(3, 2);
-  const auto result = genetic_search(3, f.batch(), budget_of(600), Rng{7});
+  const auto result = differential_evolution(3, f.batch(), budget_of(600), Rng{7});
   ASSERT_FALSE(result.best.empty());
   for (std::size_t i = 0; i < result.best.size(); ++i) {
     EXPECT_EQ(result.best[i].cost, f.cost(result.best[i].x));
@@ -171,10 +171,10 @@ TEST(GeneticSearch, BestIsAscendingDistinctAndAmongTheVisited) {
   EXPECT_EQ(result.best.front().cost, lowest) << "elitism: the best ever seen survives";
 }
 
-TEST(GeneticSearch, NoCandidateIsTriedTwiceInAGeneration) {
+TEST(DifferentialEvolution, NoCandidateIsTriedTwiceInAGeneration) {
   // The corner attracts everything, and many different steps end on the same two points of one dimension.
   Recorder recorder{[](const Point& x) { return x[0]; }, {}};
-  genetic_search(1, recorder.batch(), budget_of(600), Rng{1});
+  differential_evolution(1, recorder.batch(), budget_of(600), Rng{1});
   for (const auto& batch : recorder.batches) {
     for (std::size_t i = 0; i < batch.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(same(batch[i], batch[j]));
@@ -182,20 +182,20 @@ TEST(GeneticSearch, NoCandidateIsTriedTwiceInAGeneration) {
   }
 }
 
-TEST(GeneticSearch, SameSeedSameBitsAndAnotherSeedAnotherSearch) {
+TEST(DifferentialEvolution, SameSeedSameBitsAndAnotherSeedAnotherSearch) {
   const auto f = noisy(rastrigin(4, 1), 0.5, 9);
-  const auto a = genetic_search(4, f.batch(), budget_of(700), Rng{5});
-  const auto b = genetic_search(4, f.batch(), budget_of(700), Rng{5});
-  const auto c = genetic_search(4, f.batch(), budget_of(700), Rng{6});
+  const auto a = differential_evolution(4, f.batch(), budget_of(700), Rng{5});
+  const auto b = differential_evolution(4, f.batch(), budget_of(700), Rng{5});
+  const auto c = differential_evolution(4, f.batch(), budget_of(700), Rng{6});
   ASSERT_EQ(a.visited.size(), b.visited.size());
   for (std::size_t i = 0; i < a.visited.size(); ++i) EXPECT_EQ(a.visited[i].x, b.visited[i].x);
   EXPECT_NE(a.visited[0].x, c.visited[0].x);
 }
 
-TEST(GeneticSearch, ConstantObjectiveStallsAndSaysSo) {
-  GeneticOptions options;
+TEST(DifferentialEvolution, ConstantObjectiveStallsAndSaysSo) {
+  EvolutionOptions options;
   options.stall = 3;
-  const auto result = genetic_search(
+  const auto result = differential_evolution(
       3, [](const auto& points) { return std::vector<double>(points.size(), 1.0); }, options, Rng{1});
   EXPECT_EQ(result.stop, Stop::stalled);
   // Gains are counted from the first generation's end, and the stall is noticed at the end of one.
@@ -204,17 +204,17 @@ TEST(GeneticSearch, ConstantObjectiveStallsAndSaysSo) {
   EXPECT_EQ(to_string(result.stop), "stalled");
 }
 
-TEST(GeneticSearch, ProgressOfTheEliteIsNoStall) {
+TEST(DifferentialEvolution, ProgressOfTheEliteIsNoStall) {
   // The start is the optimum itself, so the best cannot gain; the others still do.
   const auto f = sphere(4, 1);
-  GeneticOptions options;
+  EvolutionOptions options;
   options.stall = 2;
   options.generations = 20;
-  const auto result = genetic_search(4, f.batch(), options, Rng{1}, {{f.optimum, -1.0}});
+  const auto result = differential_evolution(4, f.batch(), options, Rng{1}, {{f.optimum, -1.0}});
   EXPECT_GT(result.evaluations, 6 * 40);
 }
 
-TEST(GeneticSearch, FailedCandidatesNeverWin) {
+TEST(DifferentialEvolution, FailedCandidatesNeverWin) {
   const auto f = sphere(3, 6);
   Recorder recorder{[&](const Point& x) {
                       if (x[0] < 0.1) return nan;
@@ -222,7 +222,7 @@ TEST(GeneticSearch, FailedCandidatesNeverWin) {
                       return x[2] < 0.1 ? std::numeric_limits<double>::infinity() : f.cost(x);
                     },
                     {}};
-  const auto result = genetic_search(3, recorder.batch(), budget_of(800), Rng{1});
+  const auto result = differential_evolution(3, recorder.batch(), budget_of(800), Rng{1});
   EXPECT_LT((result.best.front().x - f.optimum).norm(), 0.01);
   EXPECT_EQ(result.visited.size(), 800u);
   int failures = 0;
@@ -236,11 +236,11 @@ TEST(GeneticSearch, FailedCandidatesNeverWin) {
   EXPECT_GT(failures, 0);
 }
 
-TEST(GeneticSearch, FailuresOnlyEndWithoutABest) {
-  GeneticOptions options;
+TEST(DifferentialEvolution, FailuresOnlyEndWithoutABest) {
+  EvolutionOptions options;
   options.stall = 2;
   double reported = 0;
-  const auto result = genetic_search(
+  const auto result = differential_evolution(
       2, [](const auto& points) { return std::vector<double>(points.size(), nan); }, options, Rng{1}, {},
       [&](const GenerationReport& report) { return (reported = report.best, true); });
   EXPECT_TRUE(result.best.empty());
@@ -249,20 +249,20 @@ TEST(GeneticSearch, FailuresOnlyEndWithoutABest) {
   EXPECT_TRUE(std::isinf(reported));
 }
 
-TEST(GeneticSearch, LeavesAFailedRegionAsSoonAsOneCandidateSucceeds) {
+TEST(DifferentialEvolution, LeavesAFailedRegionAsSoonAsOneCandidateSucceeds) {
   // Only a hundredth of the square is alive, and the first sample misses it.
   const Point alive = Point::Constant(2, 0.93);
   Recorder recorder{[&](const Point& x) { return (x - alive).lpNorm<Eigen::Infinity>() < 0.05 ? (x - alive).norm() : nan; }, {}};
-  const auto result = genetic_search(2, recorder.batch(), budget_of(2000), Rng{8});
+  const auto result = differential_evolution(2, recorder.batch(), budget_of(2000), Rng{8});
   ASSERT_FALSE(result.best.empty());
   EXPECT_LT(result.best.front().cost, 1e-3);
 }
 
-TEST(GeneticSearch, WarmStartIsTrustedAndNotEvaluatedAgain) {
+TEST(DifferentialEvolution, WarmStartIsTrustedAndNotEvaluatedAgain) {
   const auto f = sphere(3, 2);
   const std::vector<Evaluated> start{{Point::Constant(3, 0.9), 5}, {f.optimum, -7}, {Point::Constant(3, 0.2), nan}};
   Recorder recorder{f.cost, {}};
-  const auto result = genetic_search(3, recorder.batch(), budget_of(400), Rng{1}, start);
+  const auto result = differential_evolution(3, recorder.batch(), budget_of(400), Rng{1}, start);
   EXPECT_EQ(recorder.batches[0].size(), 38u) << "two finite starts, the rest is sampled";
   for (const Point& x : recorder.all()) EXPECT_NE(x, f.optimum);
   EXPECT_EQ(result.best.front().cost, -7);
@@ -270,29 +270,29 @@ TEST(GeneticSearch, WarmStartIsTrustedAndNotEvaluatedAgain) {
   EXPECT_EQ(result.visited.size(), 400u) << "starts were not visited";
 }
 
-TEST(GeneticSearch, OfTooManyStartsTheBestArePopulation) {
+TEST(DifferentialEvolution, OfTooManyStartsTheBestArePopulation) {
   std::vector<Evaluated> start;
   for (int i = 0; i < 100; ++i) start.push_back({Point::Constant(2, i / 100.0), 100.0 - i});
-  GeneticOptions options;
+  EvolutionOptions options;
   options.max_evaluations = 40;
   Recorder recorder{[](const Point&) { return 1000.0; }, {}};
-  const auto result = genetic_search(2, recorder.batch(), options, Rng{1}, start);
+  const auto result = differential_evolution(2, recorder.batch(), options, Rng{1}, start);
   ASSERT_GE(result.best.size(), 8u);
   EXPECT_EQ(result.best[0].cost, 1);
   EXPECT_EQ(result.best[7].cost, 8);
 }
 
-TEST(GeneticSearch, RepeatedStartsCountOnce) {
+TEST(DifferentialEvolution, RepeatedStartsCountOnce) {
   const std::vector<Evaluated> start(10, {Point::Constant(2, 0.5), 1});
   Recorder recorder{sphere(2, 1).cost, {}};
-  genetic_search(2, recorder.batch(), budget_of(100), Rng{1}, start);
+  differential_evolution(2, recorder.batch(), budget_of(100), Rng{1}, start);
   EXPECT_EQ(recorder.batches[0].size(), 39u);
 }
 
-TEST(GeneticSearch, CallbackSeesEveryGenerationAndInterrupts) {
+TEST(DifferentialEvolution, CallbackSeesEveryGenerationAndInterrupts) {
   std::vector<GenerationReport> reports;
   const auto f = sphere(2, 1);
-  const auto result = genetic_search(2, f.batch(), {}, Rng{1}, {}, [&](const GenerationReport& report) {
+  const auto result = differential_evolution(2, f.batch(), {}, Rng{1}, {}, [&](const GenerationReport& report) {
     reports.push_back(report);
     return report.generation < 4;
   });
@@ -305,24 +305,24 @@ TEST(GeneticSearch, CallbackSeesEveryGenerationAndInterrupts) {
   EXPECT_EQ(result.best.front().cost, reports.back().best);
 }
 
-TEST(GeneticSearch, SmallestPopulationWorks) {
-  GeneticOptions options;
+TEST(DifferentialEvolution, SmallestPopulationWorks) {
+  EvolutionOptions options;
   options.population = 4;
   options.generations = 100;
   const auto f = sphere(2, 3);
-  EXPECT_LT(genetic_search(2, f.batch(), options, Rng{1}).best.front().cost, 0.1);
+  EXPECT_LT(differential_evolution(2, f.batch(), options, Rng{1}).best.front().cost, 0.1);
 }
 
-TEST(GeneticSearch, OptionsOutOfRangeAreNamed) {
-  const auto message = [](int dimensions, const GeneticOptions& options) -> std::string {
+TEST(DifferentialEvolution, OptionsOutOfRangeAreNamed) {
+  const auto message = [](int dimensions, const EvolutionOptions& options) -> std::string {
     try {
-      genetic_search(dimensions, sphere(2, 1).batch(), options, Rng{1});
+      differential_evolution(dimensions, sphere(2, 1).batch(), options, Rng{1});
     } catch (const InputError& error) {
       return error.what();
     }
     return "";
   };
-  GeneticOptions options;
+  EvolutionOptions options;
   EXPECT_EQ(message(0, options), "search: dimensions 0; expected at least 1");
   options.population = 3;
   EXPECT_THAT(message(2, options), HasSubstr("population 3"));

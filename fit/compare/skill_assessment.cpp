@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/compare/judge.h"
+#include "fit/compare/skill_assessment.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "fit/compare/refute.h"
 #include "fit/experiment/outcome.h"
-#include "fit/store/kept.h"
+#include "fit/store/checkpointed.h"
 #include "libeval/distance.h"
 #include "libeval/surrogate.h"
 
@@ -56,13 +56,13 @@ auto fields(Surrogate& s) { return std::tie(s.distance, s.pooled); }
 
 }  // namespace
 
-// Surrogates as the judge sees them.
-struct Judge::Nulls {
+// Surrogates beside the recording.
+struct SkillAssessment::Nulls {
   std::vector<PerColumn<double>> shifted, walked, placed;  // distances; NaN where they say nothing
   std::vector<PerColumn<Histogram>> of_shifted, of_walked;
 };
 
-Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed, const Runtime& runtime)
+SkillAssessment::SkillAssessment(const Conditions& conditions, const PerColumn<bool>& used, std::uint64_t seed, const Runtime& runtime)
     : conditions_(conditions),
       distance_(conditions.recording, conditions.metrics),
       plan_(panel_plan(conditions.recording)),
@@ -103,7 +103,7 @@ Judge::Judge(const Conditions& conditions, const PerColumn<bool>& used, std::uin
     facts_.walker = {scale_.skill(walker.value), scale_.slope() * walker.se};
 }
 
-Judge::Nulls Judge::measured_nulls(const Rng& rng, const Runtime& runtime) {
+SkillAssessment::Nulls SkillAssessment::measured_nulls(const Rng& rng, const Runtime& runtime) {
   const Tracks& recording = conditions_.recording;
   const auto& columns = distance_.columns();
   PerColumn<bool> motion(columns.size()), rest(columns.size());
@@ -119,7 +119,7 @@ Judge::Nulls Judge::measured_nulls(const Rng& rng, const Runtime& runtime) {
     return Surrogate{distance_.to(blocks, kind == 0 ? rest : motion), HalfDistance::pooled(blocks)};
   };
   const std::string name = fmt::format("surrogates {} {}", rng.seed, fingerprint(conditions_));
-  auto surrogates = *kept<std::vector<Surrogate>>(
+  auto surrogates = *checkpointed<std::vector<Surrogate>>(
       runtime.checkpoint, name, [&] { return std::optional(runtime.executor->each<Surrogate>(2 * kSurrogates + kPlaced, surrogate)); });
   Nulls out;
   for (std::size_t k = 0; k < surrogates.size(); ++k) {
@@ -131,7 +131,7 @@ Judge::Nulls Judge::measured_nulls(const Rng& rng, const Runtime& runtime) {
 }
 
 // Takes this scale if the null is farther than halves of the recording are.
-bool Judge::fits(const PerColumn<bool>& used, SkillNull null) {
+bool SkillAssessment::fits(const PerColumn<bool>& used, SkillNull null) {
   const Moments floor = distance_.floor_over(used);
   const SkillScale scale = skill_scale(facts_.floor, null == SkillNull::steps ? facts_.null : facts_.places, used);
   if (!(scale.null > scale.floor + kStandardErrors * floor.sd())) return false;
@@ -142,7 +142,7 @@ bool Judge::fits(const PerColumn<bool>& used, SkillNull null) {
   return true;
 }
 
-void Judge::choose_scale(const PerColumn<bool>& wanted) {
+void SkillAssessment::choose_scale(const PerColumn<bool>& wanted) {
   const auto measured = [&](std::size_t j) { return std::isfinite(facts_.floor[j]) && std::isfinite(facts_.null[j]); };
   PerColumn<bool> scored = wanted, all(wanted.size());
   // An eighth of the recording can be too short for a lag that the whole carries.
@@ -156,11 +156,11 @@ void Judge::choose_scale(const PerColumn<bool>& wanted) {
   facts_.mean_null = scale_.null;
 }
 
-Judged Judge::look(const Run& run) const {
+AssessedRun SkillAssessment::of(const Run& run) const {
   const auto real = HalfDistance::pooled(distance_.recording());
   const auto blocks = run.blew_up ? distance_.no_blocks() : distance_.blocks(run.seen);
   const auto pooled = HalfDistance::pooled(blocks);
-  Judged out{distance_.to(blocks), PerColumn<double>(real.size()), {}};
+  AssessedRun out{distance_.to(blocks), PerColumn<double>(real.size()), {}};
   for (std::size_t j = 0; j < real.size(); ++j) {
     if (std::isnan(out.distance[j]) && !std::isnan(distance_.floor()[j])) out.distance[j] = 1;
     out.wasserstein[j] = wasserstein(real[j], pooled[j], distance_.bin_width());
@@ -169,12 +169,12 @@ Judged Judge::look(const Run& run) const {
   return out;
 }
 
-Likeness Judge::likeness(std::span<const Judged> runs) const {
+Likeness SkillAssessment::likeness(std::span<const AssessedRun> runs) const {
   Likeness out;
   const std::size_t columns = distance_.columns().size();
   std::vector<double> means;
   std::vector<Panel> panels;
-  for (const Judged& run : runs) {
+  for (const AssessedRun& run : runs) {
     means.push_back(mean_used(run.distance, facts_.used));
     if (!run.panel.values.empty()) panels.push_back(run.panel);
   }
@@ -183,7 +183,7 @@ Likeness Judge::likeness(std::span<const Judged> runs) const {
   out.total_variation = out.wasserstein = PerColumn<double>(columns);
   for (std::size_t j = 0; j < columns; ++j) {
     std::vector<double> distances, shifts;
-    for (const Judged& run : runs) distances.push_back(run.distance[j]), shifts.push_back(run.wasserstein[j]);
+    for (const AssessedRun& run : runs) distances.push_back(run.distance[j]), shifts.push_back(run.wasserstein[j]);
     out.total_variation[j] = estimate(distances).value;
     out.wasserstein[j] = estimate(shifts).value;
   }
@@ -195,7 +195,7 @@ Likeness Judge::likeness(std::span<const Judged> runs) const {
   return out;
 }
 
-PanelFacts Judge::panel() const {
+PanelFacts SkillAssessment::panel() const {
   const auto& [value, se] = panel_;
   PanelFacts out{plan_.items(), estimates(value.values, se.values), {}, estimates(value.vacf, se.vacf)};
   for (const Index lag : plan_.vacf_lags) out.lags.push_back(static_cast<double>(lag) * plan_.dt);
