@@ -56,6 +56,7 @@ struct Arguments {
 
   CompareOptions compare;    // of fit, compare, power and recover; its lags, binning and velocity also of evaluate
   RecoveryOptions recovery;  // without its CompareOptions
+  bool by_preset = false;    // models were named together
   bool parameters = false;   // recover the parameters of one model, instead of which model
   int seeds = 0;             // of power and sweep
   Part part;                 // of a study: recover, power or sweep

@@ -21,7 +21,8 @@
 namespace swarmfit::cli {
 
 int power(const Arguments& a) {
-  const PowerOptions options{a.compare, a.seeds};
+  PowerOptions options{a.compare, a.seeds};
+  if (a.by_preset) without_learners(options.compare.models);  // others are planted, and it would learn from each anew
   if (a.recordings.size() != 1) throw InputError("power: expected one recording");
   if (options.compare.models.size() < 2)
     throw InputError(fmt::format("power: fewer than two models; expected -m A,B,... or --preset {}", preset_list()));

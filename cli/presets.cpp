@@ -25,20 +25,20 @@ const std::vector<Preset>& presets() {
        {"bswarm", "bswarm[noise=perlin]", "bswarm[noise=gaussian,noise_scaling=literal]", "bswarm[noise=white,noise_scaling=literal]"}},
       {"ablation", "bswarm, without noise, without interaction", {"bswarm", "bswarm[noise=none]", "bswarm[interaction=off]"}},
       {"models",
-       "bswarm, noise_aware, boids, rvo, brownian and the null model langevin",
-       {"bswarm", "noise_aware", "boids", "rvo", "brownian", "langevin"},
+       "bswarm, noise_aware, boids, rvo, brownian, the null model langevin and the challenger learned",
+       {"bswarm", "noise_aware", "boids", "rvo", "brownian", "langevin", "learned"},
        {"bswarm", "noise_aware", "boids", "rvo", "brownian"}},
       {"flocks",
-       "models of birds and fish: bswarm, boids, vicsek, zonal, local_attraction without and with repulsion, pigeon, and langevin",
-       {"bswarm", "boids", "vicsek", "zonal", "local_attraction", "local_attraction[repulsion=on]", "pigeon", "langevin"}},
+       "models of birds and fish: bswarm, boids, vicsek, zonal, local_attraction without and with repulsion, pigeon, langevin and learned",
+       {"bswarm", "boids", "vicsek", "zonal", "local_attraction", "local_attraction[repulsion=on]", "pigeon", "langevin", "learned"}},
   };
   return table;
 }
 
 constexpr const char* kEveryModel = "all";
 
-// What any of them names, and all other models that move in two and in three dimensions; what is made of the recording itself is no rival
-// of what is not, and is asked for by name.
+// What any of them names, and all other models that move in two and in three dimensions; fastswarm, which copies the recording, is asked
+// for by name.
 std::vector<std::string> all_models() {
   std::vector<std::string> all;
   const auto add = [&](const std::string& name) {
@@ -75,6 +75,10 @@ std::vector<ModelChoice> preset_models(const std::string& preset, bool as_publis
   for (const Preset& known : presets())
     if (preset == known.name) return parse_models(as_published && !known.published.empty() ? known.published : known.models);
   return parse_models(all_models());
+}
+
+void without_learners(std::vector<ModelChoice>& models) {
+  std::erase_if(models, [](const ModelChoice& m) { return m.spec->needs_reference; });
 }
 
 }  // namespace swarmfit::cli

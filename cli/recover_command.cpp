@@ -27,6 +27,7 @@ constexpr double kLongestCrossing = 1e6;  // frames
 RecoveryOptions recovery_options(const Arguments& a) {
   RecoveryOptions o = a.recovery;
   o.compare = a.compare;
+  if (a.by_preset) without_learners(o.compare.models);  // there is no recording to learn from
   if (a.parameters && o.compare.models.size() != 1) throw InputError("recover `parameters`: expected exactly one model, as in -m brownian");
   if (!a.parameters && o.compare.models.size() < 2)
     throw InputError(fmt::format("recover: fewer than two models; expected -m A,B,... or --preset {}", preset_list()));

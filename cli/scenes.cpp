@@ -32,6 +32,13 @@ std::string scenario_names() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+std::string learners() {
+  std::vector<std::string_view> names;
+  for (const ModelSpec& spec : models())
+    if (spec.needs_reference) names.push_back(spec.name);
+  return fmt::format("{}", fmt::join(names, " or "));
+}
+
 bool is_file(std::string_view text) { return text.ends_with(".toml") || text.find('/') != text.npos; }
 
 const char* const kLearnedFrom = "demo";
@@ -69,7 +76,7 @@ Scenario found(const SceneArguments& a) {
 Scenario found_with_recording(const SceneArguments& a) {
   Scenario scene = found(a);
   if (a.like && !scene.model.spec->needs_reference)
-    throw InputError(fmt::format("`like`: {} learns from no recording; expected a model that does: fastswarm", scene.model.name));
+    throw InputError(fmt::format("`like`: {} learns from no recording; expected a model that does: {}", scene.model.name, learners()));
   learn_from(scene, a.like.value_or(kLearnedFrom));
   if (scene.name == scene.model.name) settle_at_the_recording(scene);
   return scene;

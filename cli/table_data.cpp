@@ -88,6 +88,7 @@ std::vector<Setting> inputs() {  // NOLINT(readability-function-size): a table
            [](Arguments& a, const Value& v) {
              if (v.all.has("model")) throw InputError("given beside --model; expected one of them, not both");
              a.compare.models = preset_models(v.text(), v.all.text("protocol") == "ren2016");
+             a.by_preset = true;
            }},
       {.name = "plant",
        .in = kRecover,

@@ -9,6 +9,7 @@
 #include "fit/compare/certainty.h"
 #include "fit/compare/common_dynamics.h"
 #include "fit/compare/facts.h"
+#include "fit/compare/force_view.h"
 #include "fit/compare/hold_out.h"
 #include "fit/compare/rank.h"
 #include "fit/compare/refute.h"
@@ -31,13 +32,15 @@ struct View {
   Scales scales;
   FilmStrip film;
   Pictures pictures;
+  ForceCurves forces;
 };
-auto fields(View& v) { return std::tie(v.assessed, v.scales, v.film, v.pictures); }
+auto fields(View& v) { return std::tie(v.assessed, v.scales, v.film, v.pictures, v.forces); }
 
 // What a model looks like, from what was seen of its final replicates.
 void add_likeness(ModelFit& fit, const std::vector<std::string>& views, const SkillAssessment& assessment, const Tracks& recording) {
   std::vector<AssessedRun> assessed;
   std::vector<Pictures> seen;
+  std::vector<ForceCurves> forces;
   Scales scales;
   for (const std::string& bytes : views) {
     View view = from_bytes<View>(bytes);
@@ -47,9 +50,11 @@ void add_likeness(ModelFit& fit, const std::vector<std::string>& views, const Sk
     }
     assessed.push_back(std::move(view.assessed));
     seen.push_back(std::move(view.pictures));
+    forces.push_back(std::move(view.forces));
   }
   fit.likeness = assessment.likeness(assessed);
   fit.likeness.pictures = picture_spread(seen);
+  fit.likeness.forces = force_spread(forces);
   fit.likeness.extent = scales.extent;
   fit.likeness.spacing = scales.spacing;
   fit.likeness.speed = scales.speed;
@@ -186,10 +191,12 @@ Comparison compare(const Tracks& recording, const CompareOptions& wanted, const 
 
   const PictureGrid grid = picture_grid(conditions.recording);
   result.recording.pictures = {grid, pictures(conditions.recording, grid), timeline(conditions.recording)};
+  const ForceView force_view(conditions.recording);
+  result.recording.forces = force_view.facts();
   std::optional<SkillAssessment> assessment;
   const auto view = [&](const Run& run, std::size_t k) {
     return to_bytes(View{assessment->of(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{},
-                         pictures(run.seen, grid)});
+                         pictures(run.seen, grid), run.blew_up ? ForceCurves{} : force_view.of(run.seen)});
   };
   const std::vector<bool> used(observation.used.begin(), observation.used.end());
   Calibration calibration(options, conditions, target, used, result.run.history, on_progress, runtime, view);

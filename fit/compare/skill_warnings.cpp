@@ -124,14 +124,13 @@ std::vector<Warning> warnings_of_learning(const Comparison& r) {
     if (!m.learns) continue;
     const Nearness& n = m.standing.held_out.nearness;
     if (!r.recording.hold_out.used())
-      warn(
-          out, Gravity::result,
-          "{} takes its velocities from the recording that it is judged on, so its score and its place are no evidence; use --holdout yes, "
-          "which judges it on what it did not learn from.",
-          m.model);
+      warn(out, Gravity::result,
+           "{} learns from the recording that it is judged on, so its score and its place are no evidence; use --holdout yes, "
+           "which judges it on what it did not learn from.",
+           m.model);
     else if (std::isfinite(n.simulated) && n.recorded > 0)
       warn(out, Gravity::meaning,
-           "{} takes its velocities from the half that is fitted. Over {} frames its paths on the other half lie {:.2f} times as far from "
+           "{} learns from the half that is fitted. Over {} frames its paths on the other half lie {:.2f} times as far from "
            "the nearest path that it has seen as the recorded ones do{}.",
            m.model, n.frames, n.simulated / n.recorded, n.simulated < kRepeats * n.recorded ? ": it repeats what it has seen" : "");
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fit/results/estimate.h"
+#include "fit/results/force_curves.h"
 #include "libeval/energy.h"
 #include "libeval/group/pictures.h"
 #include "libeval/panel.h"
@@ -159,6 +160,7 @@ struct Likeness {
   std::vector<Estimate> vacf;                 // per lag of PanelFacts
   double extent = 0, spacing = 0, speed = 0;  // of the simulated group, as in DataFacts
   PictureSpread pictures{};                   // over single final replicates, on the grid of PictureFacts
+  ForceSpread forces{};                       // on the grid of ForceFacts
 };
 
 // Everything about one model in a comparison (or the only one of a fit).

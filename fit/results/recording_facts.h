@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit/results/estimate.h"
+#include "fit/results/force_curves.h"
 #include "libeval/group/pictures.h"
 #include "libeval/panel.h"
 #include "libeval/timeline.h"
@@ -114,6 +115,7 @@ struct RecordingFacts {
   SkillFacts skill;
   PanelFacts panel;
   PictureFacts pictures;
+  ForceFacts forces;
   HoldOutFacts hold_out;
 };
 

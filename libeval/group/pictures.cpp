@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "libeval/group/even_pairs.h"
 #include "libeval/group/order_table.h"
+#include "libeval/value_spread.h"
 
 namespace swarmfit {
 namespace {
@@ -219,26 +221,8 @@ Pictures pictures(const Tracks& tracks, const PictureGrid& grid) {
 }
 
 PictureSpread picture_spread(const std::vector<Pictures>& all) {
-  PictureSpread out;
-  for (const Pictures& p : all)
-    if (!p.density.empty()) out.mean = out.sd = p;
-  const auto each = [&](auto member) {
-    for (std::size_t k = 0; k < (out.mean.*member).size(); ++k) {
-      double sum = 0, squares = 0, n = 0;
-      for (const Pictures& p : all)
-        if (k < (p.*member).size() && std::isfinite((p.*member)[k])) sum += (p.*member)[k], ++n;
-      const double mean = n > 0 ? sum / n : kNaN;
-      for (const Pictures& p : all)
-        if (k < (p.*member).size() && std::isfinite((p.*member)[k])) squares += ((p.*member)[k] - mean) * ((p.*member)[k] - mean);
-      (out.mean.*member)[k] = mean;
-      (out.sd.*member)[k] = n > 1 ? std::sqrt(squares / (n - 1)) : kNaN;
-    }
-  };
-  for (const auto member :
-       {&Pictures::density, &Pictures::turning, &Pictures::acceleration, &Pictures::pairs, &Pictures::headings, &Pictures::vacf,
-        &Pictures::msd, &Pictures::polarisation, &Pictures::milling, &Pictures::spread, &Pictures::space})
-    each(member);
-  return out;
+  auto [mean, sd] = value_spread(all);
+  return {std::move(mean), std::move(sd)};
 }
 
 }  // namespace swarmfit

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <utility>
 
 #include "reports/comparison/figure_parts.h"
 #include "reports/write/number.h"
@@ -14,61 +14,65 @@ namespace {
 
 constexpr std::size_t kMost = 8;  // models that can be told apart in one panel
 constexpr double kWidest = 2;     // standard deviations of the band
-using Values = std::vector<double> Pictures::*;
+using Values = std::vector<double>;
+
+// Mean and standard deviation, or error, of what is drawn.
+struct Shown {
+  const Values* mean = nullptr;
+  const Values* sd = nullptr;  // null: there is none
+};
 
 // One panel: what is drawn against what.
 struct Wanted {
-  Values member;
-  std::vector<double> x;
   std::string x_title, y_title;
+  Values x;
+  Shown recording;
+  std::vector<Shown> models;
   bool logarithmic = false;  // both axes; what is not positive is left out
-  std::string level{};
 };
 
-plot::Curve curve_of(const Wanted& w, const std::vector<double>& y) {
+plot::Curve curve_of(const Wanted& w, const Values& y) {
   plot::Curve out;
   for (std::size_t k = 0; k < std::min(w.x.size(), y.size()); ++k)
     if (!w.logarithmic || (w.x[k] > 0 && y[k] > 0)) out.push_back({w.x[k], y[k]});
   return out;
 }
 
-std::vector<double> shifted(const Pictures& mean, const Pictures& sd, Values member, double by) {
-  std::vector<double> out = mean.*member;
-  for (std::size_t k = 0; k < out.size(); ++k) out[k] += by * (k < (sd.*member).size() ? (sd.*member)[k] : NAN);
-  return out;
-}
+struct Band {
+  plot::Curve low, high;  // over the same places
+};
 
-// A band needs edges over the same places.
-std::pair<plot::Curve, plot::Curve> band_of(const Wanted& w, const PictureSpread& s) {
-  const auto low = shifted(s.mean, s.sd, w.member, -kWidest), high = shifted(s.mean, s.sd, w.member, kWidest);
-  std::pair<plot::Curve, plot::Curve> out;
-  for (std::size_t k = 0; k < std::min({w.x.size(), low.size(), high.size()}); ++k) {
-    if (!std::isfinite(low[k] + high[k]) || (w.logarithmic && !(w.x[k] > 0 && high[k] > 0))) continue;
-    out.first.push_back({w.x[k], w.logarithmic ? std::max(low[k], 0.05 * high[k]) : low[k]});
-    out.second.push_back({w.x[k], high[k]});
+Band band_of(const Wanted& w, const Shown& s) {
+  Band out;
+  for (std::size_t k = 0; s.sd && k < std::min({w.x.size(), s.mean->size(), s.sd->size()}); ++k) {
+    const double low = (*s.mean)[k] - kWidest * (*s.sd)[k], high = (*s.mean)[k] + kWidest * (*s.sd)[k];
+    if (!std::isfinite(low + high) || (w.logarithmic && !(w.x[k] > 0 && high > 0))) continue;
+    out.low.push_back({w.x[k], w.logarithmic ? std::max(low, 0.05 * high) : low});
+    out.high.push_back({w.x[k], high});
   }
   return out;
 }
 
-void draw(svg::Sheet& sheet, const svg::Box& box, const Comparison& c, const Wanted& w) {
-  std::vector<plot::Curve> curves{curve_of(w, c.recording.pictures.recording.*w.member)};
-  for (std::size_t k = 0; k < std::min(kMost, c.models.size()); ++k)
-    curves.push_back(curve_of(w, c.models[k].likeness.pictures.mean.*w.member));
+void draw(svg::Sheet& sheet, const svg::Box& box, const Wanted& w) {
+  std::vector<plot::Curve> curves{curve_of(w, *w.recording.mean)};
+  for (std::size_t k = 0; k < std::min(kMost, w.models.size()); ++k) curves.push_back(curve_of(w, *w.models[k].mean));
   plot::Range across, up;
   for (const plot::Curve& curve : curves)
     for (const svg::Point& p : curve)
       if (std::isfinite(p.y)) across.include(p.x), up.include(p.y);
   if (up.empty()) return;
-  const auto [low, high] = c.models.empty() ? std::pair<plot::Curve, plot::Curve>() : band_of(w, c.models.front().likeness.pictures);
-  for (const plot::Curve* edge : {&low, &high})
-    for (const svg::Point& p : *edge) up.include(p.y);
+  const Band recorded = band_of(w, w.recording), best = w.models.empty() ? Band() : band_of(w, w.models.front());
+  for (const Band* band : {&recorded, &best})
+    for (const plot::Curve* edge : {&band->low, &band->high})
+      for (const svg::Point& p : *edge) up.include(p.y);
   // What hardly varies must not fill the panel with its rounding.
   const double room = std::max(0.05 * (up.upper - up.lower), 1e-3 * std::max(std::abs(up.lower), std::abs(up.upper)));
   const plot::Axis x =
       w.logarithmic ? plot::logarithmic(across.lower, across.upper) : plot::linear(across.lower, across.upper, {5, box.width, false});
   const plot::Axis y = w.logarithmic ? plot::logarithmic(up.lower, up.upper) : plot::linear(up.lower - room, up.upper + room, {4, 0, true});
   plot::Panel panel(sheet, box, x, y);
-  panel.band(low, high, 0);
+  panel.grey_band(recorded.low, recorded.high);
+  panel.band(best.low, best.high, 0);
   for (std::size_t k = curves.size(); k-- > 1;) panel.curve(curves[k], k - 1, k == 1 ? 1.2 : 0.9);
   panel.curve(curves.front(), {svg::kInk, 1.4, ""});
   panel.x_axis(svg::plain(w.x_title));
@@ -89,7 +93,7 @@ double draw_all(svg::Sheet& sheet, const Comparison& c, const std::vector<Wanted
     const std::size_t row = k / across;
     const svg::Box box{static_cast<double>(k % across) * width + 28, top + static_cast<double>(row) * (plot_height + 44), width - 38,
                        plot_height};
-    draw(sheet, box, c, all[k]);
+    draw(sheet, box, all[k]);
     bottom = std::max(bottom, box.bottom() + 26);
   }
   return bottom;
@@ -99,6 +103,22 @@ std::string about_band(const Comparison& c) {
   if (c.models.empty()) return {};
   return fmt::format(" Lines: mean of the final replicates of each model. Shaded: {}, mean ± 2 standard deviations of single simulations.",
                      c.models.front().model);
+}
+
+// A member of the pictures, with the spread of the models.
+Wanted of_pictures(const Comparison& c, Values Pictures::*member, Values x, std::string x_title, std::string y_title,
+                   bool logarithmic = false) {
+  Wanted out{std::move(x_title), std::move(y_title), std::move(x), {&(c.recording.pictures.recording.*member)}, {}, logarithmic};
+  for (const ModelFit& m : c.models) out.models.push_back({&(m.likeness.pictures.mean.*member), &(m.likeness.pictures.sd.*member)});
+  return out;
+}
+
+// A curve of forces, with the standard error of the recording's.
+Wanted of_forces(const Comparison& c, Values ForceCurves::*member, Values x, std::string x_title, std::string y_title) {
+  const ForceFacts& f = c.recording.forces;
+  Wanted out{std::move(x_title), std::move(y_title), std::move(x), {&(f.recording.*member), &(f.se.*member)}, {}};
+  for (const ModelFit& m : c.models) out.models.push_back({&(m.likeness.forces.mean.*member)});
+  return out;
 }
 
 }  // namespace
@@ -113,17 +133,41 @@ Figure curves(const Comparison& c) {
     distances.push_back((static_cast<double>(k) + 0.5) * g.width);
   const std::string unit = c.recording.data.unit;
   svg::Sheet sheet(svg::kTwoColumns);
-  const double height = draw_all(sheet, c,
-                                 {{&Pictures::vacf, delays, "delay [s]", "velocity autocorrelation"},
-                                  {&Pictures::msd, lags, "delay [s]", fmt::format("mean squared displacement [{}²]", unit), true},
-                                  {&Pictures::pairs, distances, fmt::format("distance [{}]", unit), "pair distribution g(r)"},
-                                  {&Pictures::headings, distances, fmt::format("distance [{}]", unit), "correlation of headings"}},
-                                 2, 92);
+  const double height =
+      draw_all(sheet, c,
+               {of_pictures(c, &Pictures::vacf, delays, "delay [s]", "velocity autocorrelation"),
+                of_pictures(c, &Pictures::msd, lags, "delay [s]", fmt::format("mean squared displacement [{}²]", unit), true),
+                of_pictures(c, &Pictures::pairs, distances, fmt::format("distance [{}]", unit), "pair distribution g(r)"),
+                of_pictures(c, &Pictures::headings, distances, fmt::format("distance [{}]", unit), "correlation of headings")},
+               2, 92);
   const std::string caption =
       "Velocity autocorrelation and mean squared displacement relative to the group, pair distribution (1 = evenly spread over the "
       "recording's ellipsoid), and mean cosine between headings of pairs at a distance." +
       about_band(c);
   return {"curves", caption, sheet.document(height, "Curves over delay and distance", caption)};
+}
+
+Figure forces(const Comparison& c) {
+  const ForceFacts& f = c.recording.forces;
+  const auto defined = [](const Values& v) { return std::any_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); }); };
+  if (!defined(f.recording.drag)) return {"forces", "", ""};
+  const std::string unit = c.recording.data.unit;
+  std::vector<Wanted> all{of_forces(c, &ForceCurves::drag, f.grid.speeds, fmt::format("speed [{}/s]", unit), "drag [1/s]"),
+                          of_forces(c, &ForceCurves::confinement, f.grid.distances, fmt::format("distance from the centre [{}]", unit),
+                                    "stiffness of the confinement [1/s²]")};
+  if (defined(f.recording.attraction)) {
+    const std::string distance = fmt::format("distance of a pair [{}]", unit);
+    all.push_back(of_forces(c, &ForceCurves::attraction, f.grid.pairs, distance, fmt::format("attraction of a pair [{}/s²]", unit)));
+    all.push_back(of_forces(c, &ForceCurves::alignment, f.grid.pairs, distance, "alignment of a pair [1/s]"));
+  }
+  svg::Sheet sheet(svg::kTwoColumns);
+  const double height = draw_all(sheet, c, all, 2, 92);
+  const std::string caption =
+      "Forces by regression of accelerations on velocity, place and neighbours, in the recording and, by the same regression, in "
+      "simulations of each fitted model. Attraction below 0 is repulsion. Black: recording, with 2 standard errors. Lines: mean of the "
+      "final "
+      "replicates.";
+  return {"forces", caption, sheet.document(height, "Forces by regression", caption)};
 }
 
 Figure order(const Comparison& c) {
@@ -134,12 +178,12 @@ Figure order(const Comparison& c) {
   for (std::size_t k = 0; k < p.polarisation.size(); ++k)
     times.push_back((static_cast<double>(k) + 0.5) * static_cast<double>(g.stride) * g.dt);
   svg::Sheet sheet(svg::kTwoColumns);
-  const double height =
-      draw_all(sheet, c,
-               {{&Pictures::polarisation, times, "time from the first frame [s]", "polarisation"},
-                {&Pictures::milling, times, "time from the first frame [s]", "milling"},
-                {&Pictures::spread, times, "time from the first frame [s]", fmt::format("rms radius [{}]", c.recording.data.unit)}},
-               3, 70);
+  const double height = draw_all(
+      sheet, c,
+      {of_pictures(c, &Pictures::polarisation, times, "time from the first frame [s]", "polarisation"),
+       of_pictures(c, &Pictures::milling, times, "time from the first frame [s]", "milling"),
+       of_pictures(c, &Pictures::spread, times, "time from the first frame [s]", fmt::format("rms radius [{}]", c.recording.data.unit))},
+      3, 70);
   const std::string caption = "Polarisation, milling and spread of the group over time." + about_band(c);
   return {"order", caption, sheet.document(height, "Order of the group over time", caption)};
 }

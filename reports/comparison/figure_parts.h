@@ -16,6 +16,7 @@ Figure parameters(const Comparison&);
 Figure neighbours(const Comparison&);        // density around a focal animal, recording beside every model
 Figure responses(const Comparison&);         // turning and acceleration by the place of a neighbour
 Figure curves(const Comparison&);            // autocorrelation, displacement, g(r), correlation of headings
+Figure forces(const Comparison&);            // drag, confinement, attraction and alignment, by regression
 Figure order(const Comparison&);             // polarisation, milling and spread over time
 Figure space(const Comparison&);             // trajectories and use of space
 Figure trajectory_strip(const Comparison&);  // of the recording and the best model, for the head of a page

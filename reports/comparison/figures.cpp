@@ -36,8 +36,9 @@ std::vector<plot::Entry> model_entries(const Comparison& c, plot::Sample sample)
 }  // namespace parts
 
 std::vector<Figure> figures(const Comparison& c) {
-  std::vector<Figure> all = {parts::densities(c),  parts::scores(c),    parts::energies(c), parts::convergence(c), parts::parameters(c),
-                             parts::neighbours(c), parts::responses(c), parts::curves(c),   parts::order(c),       parts::space(c)};
+  std::vector<Figure> all = {parts::densities(c),  parts::scores(c),     parts::energies(c),  parts::convergence(c),
+                             parts::parameters(c), parts::neighbours(c), parts::responses(c), parts::curves(c),
+                             parts::forces(c),     parts::order(c),      parts::space(c)};
   for (std::size_t k = 0; k < c.models.size(); ++k) all.push_back(parts::posterior(c, k));
   for (std::size_t m = 0; m < c.recording.columns.size(); ++m) all.push_back(parts::density_of(c, m));
   std::vector<Figure> out;
@@ -50,9 +51,9 @@ std::vector<Figure> figures(const Comparison& c) {
 }
 
 bool is_figure(std::string_view file_name) {
-  constexpr std::array<std::string_view, 10> kNames = {"densities.svg",  "scores.svg",     "energies.svg",  "convergence.svg",
+  constexpr std::array<std::string_view, 11> kNames = {"densities.svg",  "scores.svg",     "energies.svg",  "convergence.svg",
                                                        "parameters.svg", "neighbours.svg", "responses.svg", "curves.svg",
-                                                       "order.svg",      "space.svg"};
+                                                       "forces.svg",     "order.svg",      "space.svg"};
   return std::find(kNames.begin(), kNames.end(), file_name) != kNames.end() ||
          ((file_name.starts_with("density_") || file_name.starts_with("posterior_")) && file_name.ends_with(".svg"));
 }

@@ -16,9 +16,8 @@ struct Figure {
   std::string svg;
 };
 
-// densities (all metrics), density_KEY for each, scores, energies, convergence, parameters, neighbours, responses, curves, order, space,
-// posterior_RANK; those with nothing to draw are left out. A
-// metric at another lag than 1 is called v_lag4.
+// densities (all metrics), density_KEY for each, scores, energies, convergence, parameters, neighbours, responses, curves, forces, order,
+// space, posterior_RANK; those with nothing to draw are left out. A metric at another lag than 1 is called v_lag4.
 std::vector<Figure> figures(const Comparison&);
 
 // Is this the file of such a figure, of whatever run? "density_v_lag4.svg"

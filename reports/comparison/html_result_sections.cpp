@@ -193,6 +193,8 @@ Html pictures(const Comparison& c) {
   return out;
 }
 
+Html forces_figure(const Comparison& c) { return svg_figure(parts::forces(c), ""); }
+
 Html quality(const Comparison& c) { return svg_figure(parts::data_quality(c), ""); }
 
 Html convergence(const Comparison& c) { return svg_figure(parts::convergence(c), ""); }

@@ -15,6 +15,7 @@ Html result_figure(const Comparison&);  // models with what they are, paired int
 Html strip(const Comparison&);          // trajectories of the recording and the best model
 Html heat_map(const Comparison&);       // signed misfit, model by metric
 Html pictures(const Comparison&);       // recording beside every model; nothing without pictures
+Html forces_figure(const Comparison&);  // curves by regression; nothing where there was too little to see
 Html quality(const Comparison&);        // of the tracks over time
 Html convergence(const Comparison&);
 Html posteriors(const Comparison&);   // nothing without samples

@@ -82,6 +82,8 @@ void add_skill(Json& top, const Comparison& c) {
                         {"recording", observables(c.recording.panel, c.recording.panel.recording)},
                         {"vacf_lags", c.recording.panel.lags},
                         {"vacf", curve(c.recording.panel.recording_vacf)}};
+  const ForceFacts& f = c.recording.forces;
+  top["forces"] = {{"needed", f.needed}, {"attraction_p", f.attraction_p}, {"alignment_p", f.alignment_p}};
 }
 
 void add_skill(Json& model, const ModelFit& r, const Comparison& c) {

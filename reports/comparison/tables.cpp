@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/comparison/tables.h"
 
+#include "reports/comparison/force_tables.h"
 #include "reports/comparison/picture_tables.h"
 #include "reports/comparison/quantities.h"
 #include "reports/comparison/skill_tables.h"
@@ -309,6 +310,7 @@ std::vector<NamedTable> result_tables(const Comparison& c) {
       {"pdfs.csv", pdfs(c)},       {"convergence.csv", convergence(c)},     {"sensitivity.csv", sensitivity(c)},
       {"lags.csv", lags(c)}};
   if (!c.recording.pictures.recording.density.empty()) out.push_back({"pictures.csv", pictures_csv(c)});
+  if (!c.recording.forces.recording.drag.empty()) out.push_back({"forces.csv", forces_csv(c)});
   if (has_posterior(c)) out.push_back({"posterior.csv", posterior(c)});
   for (NamedTable& table : skill_tables(c)) out.push_back(std::move(table));
   return out;

@@ -99,12 +99,17 @@ void Panel::area(const Curve& curve) {
 }
 
 void Panel::band(const Curve& lower, const Curve& upper, std::size_t series) {
+  between(lower, upper, fmt::format("{}33", look(series).colour));
+}
+void Panel::grey_band(const Curve& lower, const Curve& upper) { between(lower, upper, std::string(kRecordingFill)); }
+
+void Panel::between(const Curve& lower, const Curve& upper, const std::string& fill) {
   Curve closed;
   for (const Point& p : upper)
     if (finite(place(p))) closed.push_back(p);
   for (auto p = lower.rbegin(); p != lower.rend(); ++p)
     if (finite(place(*p))) closed.push_back(*p);
-  if (!closed.empty()) sheet_.path(outline(closed) + 'z', {"none", 0, ""}, fmt::format("{}33", look(series).colour), clip());
+  if (!closed.empty()) sheet_.path(outline(closed) + 'z', {"none", 0, ""}, fill, clip());
 }
 
 void Panel::curve(const Curve& curve, const Stroke& stroke) { sheet_.path(outline(curve), stroke, "none", clip()); }

@@ -30,6 +30,7 @@ class Panel {
 
   void area(const Curve& curve);                                          // grey, down to the lower end; cut at the frame
   void band(const Curve& lower, const Curve& upper, std::size_t series);  // pale; between curves over the same x
+  void grey_band(const Curve& lower, const Curve& upper);                 // the same of what is drawn in ink
   void curve(const Curve& curve, const svg::Stroke& stroke);
   void curve(const Curve& curve, std::size_t series, double width = 0.9);
   void steps(const Curve& curve, std::size_t series);  // each value holds until the next one
@@ -45,6 +46,7 @@ class Panel {
 
  private:
   std::string outline(const Curve& curve) const;
+  void between(const Curve& lower, const Curve& upper, const std::string& fill);
   void y_ticks();
   int clip();  // made when it is needed
   svg::Sheet& sheet_;

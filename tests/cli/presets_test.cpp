@@ -27,7 +27,7 @@ TEST(Presets, AreSeveralModelsEachAndSayWhich) {
 
 TEST(Presets, FlocksAreComparedByModelsOfFlocks) {
   EXPECT_EQ(models_of("flocks"), (std::set<std::string>{"bswarm", "boids", "vicsek", "zonal", "local_attraction",
-                                                        "local_attraction[repulsion=on]", "pigeon", "langevin"}));
+                                                        "local_attraction[repulsion=on]", "pigeon", "langevin", "learned"}));
 }
 
 // Two controls: a force with a memory but no field, and a field that nobody shares. The paper has neither.
@@ -43,7 +43,14 @@ TEST(Presets, AllAreAllThatMoveInTwoAndThreeDimensions) {
   const auto all = models_of("all");
   for (const auto name : preset_names())
     for (const auto& model : models_of(std::string(name))) EXPECT_TRUE(all.contains(model)) << model;
-  for (const ModelSpec& spec : models()) EXPECT_EQ(all.contains(spec.name), spec.dims.size() == 2 && !spec.needs_reference) << spec.name;
+  for (const ModelSpec& spec : models()) EXPECT_EQ(all.contains(spec.name), spec.dims.size() == 2 && spec.name != "fastswarm") << spec.name;
+}
+
+TEST(Presets, StudiesWithoutARecordingLeaveOutWhatLearnsFromOne) {
+  auto models = preset_models("models");
+  EXPECT_EQ(models.back().name, "learned");
+  without_learners(models);
+  EXPECT_EQ(models.back().name, "langevin");
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ TEST(HoldOut, SaysHowNearMotionLiesToWhatWasFitted) {
     EXPECT_GE(m.standing.held_out.nearness.frames, 2);
     EXPECT_EQ(m.learns, m.model == "fastswarm");
   }
-  EXPECT_THAT(c.warnings, testing::Contains(testing::HasSubstr("fastswarm takes its velocities from the half that is fitted")));
+  EXPECT_THAT(c.warnings, testing::Contains(testing::HasSubstr("fastswarm learns from the half that is fitted")));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(LearningWarnings, SayWhatThePlaceOfACopierIsWorth) {
   c.models = {named("copier", 0.5, 0.01), named("b", 0.4, 0.01)};
   EXPECT_THAT(warnings_of_learning(c), IsEmpty());
   c.models[0].learns = true;
-  EXPECT_THAT(warnings_of_learning(c), ElementsAre(HasSubstr("copier takes its velocities from the recording that it is judged on")));
+  EXPECT_THAT(warnings_of_learning(c), ElementsAre(HasSubstr("copier learns from the recording that it is judged on")));
   c.recording.hold_out.ways = {{1, 240, 261, 500, {}, {}}};
   c.models[0].standing.held_out.nearness = {8, 10, 25};
   EXPECT_THAT(warnings_of_learning(c),

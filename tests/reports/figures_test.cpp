@@ -12,6 +12,8 @@
 #include <regex>
 
 #include "reports/comparison/figure_parts.h"
+#include "reports/comparison/force_tables.h"
+#include "reports/comparison/page_sections.h"
 #include "reports/comparison/picture_tables.h"
 #include "reports/draw/svg.h"
 #include "tests/reports/sample.h"
@@ -197,6 +199,10 @@ Comparison with_pictures() {
   Comparison c = sample_comparison();
   const PictureGrid grid = picture_grid(c.film);
   c.recording.pictures = {grid, pictures(c.film, grid), timeline(c.film)};
+  const std::vector<double> up{0, 1, 2}, some{0.3, 0.2, 0.25}, error{0.1, 0.1, 0.1}, unknown(3, NAN);
+  const ForceCurves curves{some, some, up, some, {1, 2, 3}}, errors{error, error, error, unknown, {}};
+  c.recording.forces = {{up, up, up}, curves, errors, {"drag", "confinement"}, 0.03, 0.5};
+  for (ModelFit& r : c.models) r.likeness.forces = {curves, errors};
   for (ModelFit& r : c.models) r.likeness.pictures = picture_spread({pictures(r.film, grid), pictures(c.film, grid)});
   return c;
 }
@@ -209,10 +215,11 @@ TEST(Pictures, StandBesideEachOther) {
     EXPECT_TRUE(is_figure(f.name + ".svg")) << f.name;
     EXPECT_THAT(f.svg, Not(testing::ContainsRegex("[^a-z](nan|inf)[^a-z]"))) << f.name;
   }
-  for (const char* name : {"neighbours", "responses", "curves", "order", "space"}) EXPECT_THAT(names, testing::Contains(name));
+  for (const char* name : {"neighbours", "responses", "curves", "forces", "order", "space"}) EXPECT_THAT(names, testing::Contains(name));
   EXPECT_THAT(parts::data_quality(c).svg, HasSubstr("individuals seen per frame"));
   EXPECT_THAT(parts::trajectory_strip(c).svg, HasSubstr("bswarm, the best model"));
   EXPECT_EQ(parts::neighbours(sample_comparison()).svg, "") << "nothing was measured";
+  EXPECT_EQ(parts::forces(sample_comparison()).svg, "");
 }
 
 TEST(Pictures, PosteriorOfEveryModelThatHasOne) {
@@ -241,6 +248,16 @@ TEST(Pictures, WhatDoesNotVaryIsDrawn) {
   std::vector<double>& p = c.recording.pictures.recording.polarisation;
   for (std::size_t k = 0; k < p.size(); ++k) p[k] = k % 2 == 0 ? 1 : std::nextafter(1, 2);
   EXPECT_LT(parts::order(c).svg.size(), 200'000u);
+}
+
+TEST(Pictures, ForcesAreSaidAndTabulated) {
+  const Comparison c = with_pictures();
+  EXPECT_THAT(page::forces(c).text, AllOf(HasSubstr("need these terms: drag, confinement."),
+                                          HasSubstr("beside the others: p = 0.03 for none"), HasSubstr("<svg")));
+  EXPECT_EQ(page::forces(sample_comparison()).text, "");
+  const std::string csv = forces_csv(c);
+  EXPECT_THAT(csv, testing::StartsWith("curve,model,x,value,sd\ndrag,recording,0,0.3,0.1\n"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 3 * 6) << "four curves of three places; the recording and five models";
 }
 
 TEST(Pictures, TableHasARowPerValue) {

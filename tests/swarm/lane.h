@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,10 +26,10 @@ inline int most_dims(std::string_view name) {
   return *std::max_element(dims.begin(), dims.end());
 }
 
-// A recording of six frames, 0.01 s apart: everybody flies on from where they stand, drawn a little to the middle of all.
+// A recording of twenty frames, 0.01 s apart: everybody flies on from where they stand, on springs to the middle of all.
 inline Tracks flight_of(const State& state, int dims = 3) {
   TrackColumns columns;
-  constexpr Index frames = 6;
+  constexpr Index frames = 20;
   const Index n = state.size();
   columns.pos.resize(frames * n, 3);
   Eigen::Array<double, 1, 3> middle = Eigen::Array<double, 1, 3>::Zero();
@@ -39,7 +40,7 @@ inline Tracks flight_of(const State& state, int dims = 3) {
     for (Index i = 0; i < n; ++i) {
       columns.track.push_back(static_cast<std::uint32_t>(i));
       columns.frame.push_back(k);
-      columns.pos.row(k * n + i) = state.pos.row(i) + t * state.vel.row(i) + 2 * t * t * (middle - state.pos.row(i));
+      columns.pos.row(k * n + i) = middle + std::cos(2 * t) * (state.pos.row(i) - middle) + 0.5 * std::sin(2 * t) * state.vel.row(i);
     }
   }
   TrackMeta meta;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Forces of a recording beside those of models, by the same regression: what was put into a model and what is seen of it are two things.
+#pragma once
+
+#include <span>
+
+#include "fit/results/force_curves.h"
+#include "libswarm/force_regression.h"
+
+namespace swarmfit {
+
+class ForceView {
+ public:
+  explicit ForceView(const Tracks& recording);
+
+  const ForceFacts& facts() const { return facts_; }
+  // Of a simulation, with the groups of terms that the recording needs.
+  ForceCurves of(const Tracks& simulated) const;
+
+ private:
+  ForceBasis basis_;
+  ForceGroups needed_{};
+  ForceFacts facts_;
+};
+
+// Mean and standard deviation value by value, over those that are finite; NaN where fewer than one or two are.
+ForceSpread force_spread(std::span<const ForceCurves> all);
+
+}  // namespace swarmfit

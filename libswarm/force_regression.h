@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The force law that a recording shows, by regression of accelerations: no search, no simulation.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "libswarm/force_law.h"
+
+namespace swarmfit {
+
+// Terms for this recording. Kernels have knots at quantiles of the distances of pairs; fewer than two individuals, no kernels.
+ForceBasis force_basis(const Tracks& recording);
+
+using ForceGroups = std::array<bool, kForceGroups>;  // which are in a law
+
+struct ForceFit {
+  ForceLaw law;                 // NaN coefficients if there is too little to see
+  ForceGroups groups{};         // that are in it
+  Eigen::MatrixXd covariance;   // of the coefficients; 0 for those that are not in it
+  std::array<double, kForceGroups> p{};  // of each group that is in it: could all its coefficients be 0? NaN: it is not
+  double condition = 0;                  // of the normal equations, columns of unit length
+  Index rows = 0;                        // accelerations that were used
+
+  double se(ForceGroup group, std::size_t k = 0) const;
+  double drag_se(double speed) const;
+  double confinement_se(double distance) const;
+  double kernel_se(ForceGroup group, double distance) const;
+  int terms() const;  // coefficients that are in it
+};
+
+// Symmetric differences, x̄ = (x_- + x + x_+) / 3, v = (x_+ - x_-) / 2 dt, a = (x_+ - 2x + x_-) / dt², within unbroken runs. With noise
+// that remembers by rho from frame to frame,
+//
+//   a_t - rho a_{t-1} = theta · (c_t - rho c_{t-1}) + new noise,
+//
+// and new noise is independent of the terms c four frames before, which share no position with either side: they are the instruments of
+// a regression that neither localisation error nor the memory of the noise misleads (Söderström and Stoica 1983). rho and the variance of
+// the remembered noise are those of an exponential through the autocovariance of the residuals from the third frame on, where error is
+// gone, to where it has died away; the shortest memory is taken that agrees with its own theta. What is white is what the first two
+// autocovariances have beside it and beside the localisation error:
+//
+//   sigma² = 6 / (11 dt³) (2 Var D + 3 Cov(D_t, D_t+1)),  D = a dt²
+//
+// Errors are those of a sandwich over pieces of tracks.
+class ForceRegression {
+ public:
+  ForceRegression(const Tracks& tracks, const ForceBasis& basis);
+  ~ForceRegression();
+
+  Index rows() const;    // accelerations that have instruments
+  Index enough() const;  // to fit at all: four for every coefficient
+
+  // Drag and confinement, and beside them exactly those groups whose coefficients are not all 0 at p < .05 / 7 (Wald): they come in and go
+  // out one by one. A confinement to the middle of a group is nearly a force between pairs; the one with fewer coefficients comes first.
+  ForceGroups needed();
+
+  ForceFit fit(const ForceGroups& groups);    // with the memory of the noise that goes with them
+  ForceFit refit(const ForceGroups& groups);  // with the memory that was found last: for one group more, in which it might drown
+
+ private:
+  struct Measured;
+  ForceGroups there(ForceGroups groups) const;
+  ForceFit result(const ForceGroups& groups) const;
+  std::unique_ptr<Measured> measured_;
+};
+
+// The needed groups, fitted.
+ForceFit fit_forces(const Tracks& tracks, const ForceBasis& basis);
+
+}  // namespace swarmfit

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "fit/results/comparison.h"
+
+namespace swarmfit {
+
+// curve,model,x,value,sd: forces of the recording, with standard errors, and of every model, with standard deviations over its simulations.
+std::string forces_csv(const Comparison&);
+
+}  // namespace swarmfit
