@@ -47,18 +47,18 @@ CurvesAndErrors curves(const ForceBasis& basis, const ForceGrid& grid, const For
     return regression.refit(groups);
   };
   const ForceFit alone = regression.fit(needed), pair = with(ForceGroup::pair), alignment = with(ForceGroup::alignment);
-  const double undefined = alone.law.coefficients.allFinite() ? 0 : NAN;
+  const double known = alone.law.coefficients.allFinite() ? 0 : NAN;
   CurvesAndErrors out;
-  out.value.drag = along(grid.speeds, [&](double v) { return alone.law.drag(v); });
-  out.se.drag = along(grid.speeds, [&](double v) { return alone.drag_se(v); });
-  out.value.confinement = along(grid.distances, [&](double r) { return alone.law.confinement(r); });
-  out.se.confinement = along(grid.distances, [&](double r) { return alone.confinement_se(r); });
-  out.value.attraction = along(grid.pairs, [&](double r) { return pair.law.kernel(ForceGroup::pair, r); });
-  out.se.attraction = along(grid.pairs, [&](double r) { return pair.kernel_se(ForceGroup::pair, r); });
-  out.value.alignment = along(grid.pairs, [&](double r) { return alignment.law.kernel(ForceGroup::alignment, r); });
-  out.se.alignment = along(grid.pairs, [&](double r) { return alignment.kernel_se(ForceGroup::alignment, r); });
+  out.value.drag = along(grid.speeds, [&](double v) { return known + alone.law.drag(v); });
+  out.se.drag = along(grid.speeds, [&](double v) { return known + alone.drag_se(v); });
+  out.value.confinement = along(grid.distances, [&](double r) { return known + alone.law.confinement(r); });
+  out.se.confinement = along(grid.distances, [&](double r) { return known + alone.confinement_se(r); });
+  out.value.attraction = along(grid.pairs, [&](double r) { return known + pair.law.kernel(ForceGroup::pair, r); });
+  out.se.attraction = along(grid.pairs, [&](double r) { return known + pair.kernel_se(ForceGroup::pair, r); });
+  out.value.alignment = along(grid.pairs, [&](double r) { return known + alignment.law.kernel(ForceGroup::alignment, r); });
+  out.se.alignment = along(grid.pairs, [&](double r) { return known + alignment.kernel_se(ForceGroup::alignment, r); });
   const ForceLaw& law = alone.law;
-  out.value.noise = {rms(law.white, basis.dims) + undefined, rms(law.coloured, basis.dims) + undefined, law.memory + undefined};
+  out.value.noise = {rms(law.white, basis.dims) + known, rms(law.coloured, basis.dims) + known, law.memory + known};
   out.attraction_p = pair.p[static_cast<std::size_t>(ForceGroup::pair)];
   out.alignment_p = alignment.p[static_cast<std::size_t>(ForceGroup::alignment)];
   return out;
@@ -82,6 +82,21 @@ ForceView::ForceView(const Tracks& recording) : basis_(force_basis(recording)) {
 ForceCurves ForceView::of(const Tracks& simulated) const {
   ForceRegression regression(simulated, basis_);
   return curves(basis_, facts_.grid, needed_, regression).value;
+}
+
+std::vector<GroupCurve> force_curves(const Tracks& recording) {
+  const ForceView view(recording);
+  const auto& [grid, value, se, needed, attraction_p, alignment_p] = view.facts();
+  std::vector<GroupCurve> out;
+  const auto add = [&](GroupCurve curve) {
+    if (std::any_of(curve.y.begin(), curve.y.end(), [](double y) { return std::isfinite(y); })) out.push_back(std::move(curve));
+  };
+  add({"drag", "drag", "speed", 1, -1, 0, -1, grid.speeds, value.drag, se.drag});
+  add({"stiffness", "stiffness of the confinement", "distance from the centre", 1, 0, 0, -2, grid.distances, value.confinement,
+       se.confinement});
+  add({"attraction", "attraction of a pair", "distance", 1, 0, 1, -2, grid.pairs, value.attraction, se.attraction});
+  add({"alignment", "alignment of a pair", "distance", 1, 0, 0, -1, grid.pairs, value.alignment, se.alignment});
+  return out;
 }
 
 ForceSpread force_spread(std::span<const ForceCurves> all) {

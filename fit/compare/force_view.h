@@ -5,6 +5,7 @@
 #include <span>
 
 #include "fit/results/force_curves.h"
+#include "libeval/group/curves.h"
 #include "libswarm/force_regression.h"
 
 namespace swarmfit {
@@ -22,6 +23,10 @@ class ForceView {
   ForceGroups needed_{};
   ForceFacts facts_;
 };
+
+// The same of a recording by itself: drag, stiffness and, where there are pairs, attraction and alignment. None where there is too little to
+// see.
+std::vector<GroupCurve> force_curves(const Tracks& recording);
 
 // Mean and standard deviation value by value, over those that are finite; NaN where fewer than one or two are.
 ForceSpread force_spread(std::span<const ForceCurves> all);

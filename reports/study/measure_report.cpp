@@ -118,7 +118,7 @@ std::string file_part(const std::string& name) {
 }
 
 std::string curve_csv(const GroupCurve& c) {
-  std::string out = fmt::format("{},{},se\n", c.x_time != 0 ? "time" : "distance", c.key);
+  std::string out = fmt::format("{},{},se\n", c.x_length == 0 ? "time" : c.x_time == 0 ? "distance" : "speed", c.key);
   for (std::size_t k = 0; k < c.x.size(); ++k) out += fmt::format("{},{},{}\n", exact(c.x[k]), exact(c.y[k]), exact(c.se[k]));
   return out;
 }

@@ -88,7 +88,7 @@ TEST(ResultsJson, ParametersCarryUnitAndBounds) {
 
 TEST(ResultsJson, HowSureEveryPlaceIs) {
   const json j = json::parse(to_json(sample_comparison()));
-  EXPECT_EQ(j["laws"], 99);
+  EXPECT_EQ(j["bootstrap_recordings"], 99);
   EXPECT_EQ(j["models"][0]["score_ci"], json::array({0.912 - 0.03, 0.912 + 0.02}));
   EXPECT_EQ(j["models"][1]["lead_ci"], json::array({0.1, 0.3}));
   EXPECT_EQ(j["models"][0]["group"], 1);
