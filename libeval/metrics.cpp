@@ -7,8 +7,11 @@
 #include <limits>
 #include <utility>
 
+#include "libeval/angles.h"
+#include "libeval/row_blocks.h"
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
+#include "libtrack/hot.h"
 
 namespace swarmfit {
 
@@ -18,18 +21,34 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double kStill = 1e-9;       // of the median speed: slower than this has no direction
 constexpr double kCoincident = 1e-9;  // [unit]: closer than this is the same place
 
-struct Vec {
-  double x, y, z;
-};
-Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double length(Vec a) { return std::sqrt(dot(a, a)); }
-Vec cross(Vec a, Vec b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+using Axes = std::array<std::vector<double>, 3>;
+using Blocks = std::vector<RowBlock>;
 
-// Angle between two vectors, exact near 0 and pi where arccos of the cosine is not.
-double angle(Vec a, Vec b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+SWARMFIT_HOT void subtract(const double* from, const double* what, Index count, double* out) {
+  for (Index k = 0; k < count; ++k) out[k] = from[k] - what[k];
+}
+SWARMFIT_HOT void divide(double* values, double by, Index count) {
+  for (Index k = 0; k < count; ++k) values[k] /= by;
+}
+SWARMFIT_HOT void lengths(const double* x, const double* y, const double* z, Index count, double* out) {
+  for (Index k = 0; k < count; ++k) out[k] = std::sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
+}
+SWARMFIT_HOT bool all_finite(const double* values, Index count) {
+  constexpr double most = std::numeric_limits<double>::max();
+  std::int64_t wild = 0;
+  for (Index k = 0; k < count; ++k) wild += std::abs(values[k]) <= most ? 0 : 1;
+  return wild == 0;
+}
 
-Vec row_of(const Rows& rows, Index i) { return {rows(i, 0), rows(i, 1), rows(i, 2)}; }
+// |a × b| and a · b, for the angle between: exact near 0 and pi, where the arc cosine is not.
+SWARMFIT_HOT void products(const double* ax, const double* ay, const double* az, const double* bx, const double* by, const double* bz,
+                           Index count, double* cross, double* dot) {
+  for (Index k = 0; k < count; ++k) {
+    const double x = ay[k] * bz[k] - az[k] * by[k], y = az[k] * bx[k] - ax[k] * bz[k], z = ax[k] * by[k] - ay[k] * bx[k];
+    cross[k] = std::sqrt(x * x + y * y + z * z);
+    dot[k] = ax[k] * bx[k] + ay[k] * by[k] + az[k] * bz[k];
+  }
+}
 
 // The row `lag` frames later in the same unbroken run, per row; -1 where there is none.
 std::vector<Index> rows_ahead(const Tracks& tracks, int lag) {
@@ -41,37 +60,43 @@ std::vector<Index> rows_ahead(const Tracks& tracks, int lag) {
   return ahead;
 }
 
-// Velocity and speed per row, whichever way velocities are got. `next` is the row that a difference is taken with, dt later.
+// Velocity and speed per row, whichever way velocities are got: differences along `links`, whose ends lie dt later, or recorded.
 class Velocities {
  public:
-  Velocities(const Tracks& tracks, VelocitySource source, std::span<const Index> next, double dt)
-      : next_(next), recorded_(source == VelocitySource::recorded) {
+  Velocities(const Tracks& tracks, VelocitySource source, const Blocks& links, double dt) {
     const auto n = static_cast<std::size_t>(tracks.rows());
-    v_.resize(n);
-    speed_.assign(n, kUndefined);
-    for (std::size_t r = 0; r < n; ++r) {
-      if (!exists(static_cast<Index>(r))) continue;
-      if (recorded_) {
-        v_[r] = row_of(tracks.vel(), static_cast<Index>(r));
-      } else {
-        const Vec step = row_of(tracks.pos(), next_[r]) - row_of(tracks.pos(), static_cast<Index>(r));
-        v_[r] = {step.x / dt, step.y / dt, step.z / dt};
+    rows_ = source == VelocitySource::recorded ? Blocks{{0, tracks.rows(), 0}} : links;
+    speed_.resize(n);
+    exists_.assign(n, false);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::vector<double>& v = v_[axis];
+      v.resize(n);
+      if (source == VelocitySource::recorded) {
+        std::copy_n(tracks.vel().col(static_cast<Index>(axis)).data(), n, v.begin());
+        continue;
       }
-      speed_[r] = length(v_[r]);
+      const double* x = tracks.pos().col(static_cast<Index>(axis)).data();
+      for (const auto& [first, count, shift] : rows_) {
+        subtract(x + first + shift, x + first, count, &v[static_cast<std::size_t>(first)]);
+        divide(&v[static_cast<std::size_t>(first)], dt, count);
+      }
+    }
+    for (const auto& [first, count, shift] : rows_) {
+      lengths(at(0, first), at(1, first), at(2, first), count, &speed_[static_cast<std::size_t>(first)]);
+      std::fill_n(exists_.begin() + first, count, true);
     }
   }
 
-  // Are the frames there that a velocity at this row needs? `row` may be -1.
-  bool exists(Index row) const { return row >= 0 && (recorded_ || next_[static_cast<std::size_t>(row)] >= 0); }
-  Vec operator[](Index row) const { return v_[static_cast<std::size_t>(row)]; }
-  double speed(Index row) const { return speed_[static_cast<std::size_t>(row)]; }
-  const std::vector<double>& speeds() const { return speed_; }
+  const Blocks& rows() const { return rows_; }  // that have one
+  bool exists(Index row) const { return exists_[static_cast<std::size_t>(row)] != 0; }
+  const double* at(std::size_t axis, Index row) const { return &v_[axis][static_cast<std::size_t>(row)]; }
+  const double* speed(Index row) const { return &speed_[static_cast<std::size_t>(row)]; }
 
  private:
-  std::span<const Index> next_;
-  bool recorded_;
-  std::vector<Vec> v_;
+  Blocks rows_;
+  Axes v_;
   std::vector<double> speed_;
+  std::vector<std::uint8_t> exists_;
 };
 
 // The speed below which a direction is meaningless. The median is only needed when somebody is that slow.
@@ -101,6 +126,16 @@ class Book {
     out_.values[column].push_back(value);
     if (keep_rows_) out_.rows[column].push_back(row);
   }
+  // Of rows one after the other.
+  void put(std::size_t column, Index first, const double* values, Index count) {
+    if (!all_finite(values, count)) {
+      for (Index k = 0; k < count; ++k) put(column, first + k, values[k]);
+      return;
+    }
+    out_.values[column].insert(out_.values[column].end(), values, values + count);
+    if (!keep_rows_) return;
+    for (Index k = 0; k < count; ++k) out_.rows[column].push_back(first + k);
+  }
   MetricSamples& samples() { return out_; }
 
  private:
@@ -108,64 +143,86 @@ class Book {
   bool keep_rows_;
 };
 
-// The columns of one lag, the first of which is `first`. `next` is the row one lag ahead, `dt` the time until then.
+// The columns of one lag, the first of which is `first`. `links` end one lag later, after the time dt.
 class Motion {
  public:
-  Motion(const Velocities& v, std::span<const Index> next, double dt, std::size_t first, Book& book)
-      : v_(v), next_(next), dt_(dt), first_(first), book_(book), out_(book.samples()) {}
+  Motion(const Velocities& v, const Blocks& links, double dt, std::size_t first, Book& book)
+      : v_(v), turning_(blocks_into(links, v.rows())), jerking_(blocks_into(turning_, turning_)), dt_(dt), first_(first), book_(book) {}
 
   void take() {
-    motion();
-    turning();
-    const double v = mean(out_.values[first_ + kSpeed]), dt = dt_;
+    for (const auto& [row, count, shift] : v_.rows()) book_.put(first_ + kSpeed, row, v_.speed(row), count);
+    const std::size_t rows = turning_.empty() ? 0 : static_cast<std::size_t>(turning_.back().first + turning_.back().count);
+    accelerations(rows);
+    turns(rows);
+    const double v = mean(book_.samples().values[first_ + kSpeed]), dt = dt_;
     const std::array<double, kMotionMetrics> natural = {v, v / dt, 1 / dt, 1 / (dt * dt), v / (dt * dt)};
     std::copy(natural.begin(), natural.end(), book_.samples().natural.begin() + static_cast<std::ptrdiff_t>(first_));
   }
 
  private:
-  void put(Metric metric, Index row, double value) { book_.put(first_ + metric, row, value); }
-  Index next(Index row) const { return next_[static_cast<std::size_t>(row)]; }
-  Index rows() const { return static_cast<Index>(next_.size()); }
+  // Where a block has its results until they are booked.
+  double* scratch(std::size_t which, Index count) {
+    scratch_[which].resize(std::max(scratch_[which].size(), static_cast<std::size_t>(count)));
+    return scratch_[which].data();
+  }
 
-  // v, a and mu
-  void motion() {
-    for (Index k = 0; k < rows(); ++k) {
-      if (!v_.exists(k)) continue;
-      put(kSpeed, k, v_.speed(k));
-      const Index k1 = next(k);
-      if (!v_.exists(k1)) continue;
-      const Vec change = v_[k1] - v_[k];
-      put(kAcceleration, k, length(change) / dt_);
-      const Index k2 = next(k1);
-      if (!v_.exists(k2)) continue;
-      put(kJerk, k, length((v_[k2] - v_[k1]) - change) / (dt_ * dt_));
+  // a and mu
+  void accelerations(std::size_t rows) {
+    Axes change;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      change[axis].resize(rows);
+      for (const auto& [row, count, shift] : turning_)
+        subtract(v_.at(axis, row + shift), v_.at(axis, row), count, &change[axis][static_cast<std::size_t>(row)]);
+    }
+    for (const auto& [row, count, shift] : turning_) {
+      const auto k = static_cast<std::size_t>(row);
+      double* a = scratch(0, count);
+      lengths(&change[0][k], &change[1][k], &change[2][k], count, a);
+      divide(a, dt_, count);
+      book_.put(first_ + kAcceleration, row, a, count);
+    }
+    for (const auto& [row, count, shift] : jerking_) {
+      double* difference[3];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        difference[axis] = scratch(axis, count);
+        subtract(&change[axis][static_cast<std::size_t>(row + shift)], &change[axis][static_cast<std::size_t>(row)], count,
+                 difference[axis]);
+      }
+      lengths(difference[0], difference[1], difference[2], count, difference[0]);
+      divide(difference[0], dt_ * dt_, count);
+      book_.put(first_ + kJerk, row, difference[0], count);
     }
   }
 
   // omega and alpha
-  void turning() {
-    const double still = still_speed(out_.values[first_ + kSpeed]);
-    std::vector<double> omega(next_.size(), kUndefined);
-    for (Index k = 0; k < rows(); ++k) {
-      if (!turns(k)) continue;
-      const Index k1 = next(k);
-      const double slower = std::min(v_.speed(k), v_.speed(k1));
-      double& now = omega[static_cast<std::size_t>(k)];
-      if (slower > 0 && slower >= still) now = angle(v_[k], v_[k1]) / dt_;
-      put(kAngularVelocity, k, now);
+  void turns(std::size_t rows) {
+    const double still = still_speed(book_.samples().values[first_ + kSpeed]);
+    std::vector<double> omega(rows);
+    for (const auto& [row, count, shift] : turning_) {
+      double *cross = scratch(0, count), *dot = scratch(1, count), *now = &omega[static_cast<std::size_t>(row)];
+      products(v_.at(0, row), v_.at(1, row), v_.at(2, row), v_.at(0, row + shift), v_.at(1, row + shift), v_.at(2, row + shift), count,
+               cross, dot);
+      angles(cross, dot, count, now);
+      divide(now, dt_, count);
+      for (Index k = 0; k < count; ++k)
+        if (const double slower = std::min(*v_.speed(row + k), *v_.speed(row + shift + k)); !(slower > 0 && slower >= still))
+          now[k] = kUndefined;
+      book_.put(first_ + kAngularVelocity, row, now, count);
     }
-    for (Index k = 0; k < rows(); ++k)
-      if (turns(k) && turns(next(k)))
-        put(kAngularAcceleration, k, (omega[static_cast<std::size_t>(next(k))] - omega[static_cast<std::size_t>(k)]) / dt_);
+    for (const auto& [row, count, shift] : jerking_) {
+      double* alpha = scratch(0, count);
+      subtract(&omega[static_cast<std::size_t>(row + shift)], &omega[static_cast<std::size_t>(row)], count, alpha);
+      divide(alpha, dt_, count);
+      book_.put(first_ + kAngularAcceleration, row, alpha, count);
+    }
   }
-  bool turns(Index row) const { return v_.exists(row) && v_.exists(next(row)); }
 
   const Velocities& v_;
-  std::span<const Index> next_;
+  Blocks turning_, jerking_;  // rows that have a velocity one link later, and one after that
   double dt_;
   std::size_t first_;
   Book& book_;
-  const MetricSamples& out_;
+  std::array<std::vector<double>, 3> scratch_;
 };
 
 // d and eta; v: from one frame to the next.
@@ -176,7 +233,7 @@ void neighbours(const Tracks& tracks, const Velocities& v, Book& out) {
     const double d = nearest.distance[static_cast<std::size_t>(k)];
     out.put(kDistance, k, d);
     if (!v.exists(k) || (j >= 0 && !v.exists(j))) continue;
-    out.put(kVelocityDifference, k, j >= 0 && d >= kCoincident ? std::abs(v.speed(j) - v.speed(k)) / d : kUndefined);
+    out.put(kVelocityDifference, k, j >= 0 && d >= kCoincident ? std::abs(*v.speed(j) - *v.speed(k)) / d : kUndefined);
   }
 }
 
@@ -208,13 +265,14 @@ MetricSamples metric_samples(const Tracks& tracks, const MetricOptions& options)
   for (auto& values : out.values) values.reserve(static_cast<std::size_t>(tracks.rows()));
   Book book(out, options.keep_rows);
   const double dt = tracks.dt();
-  const Velocities now(tracks, options.velocity, tracks.next(), dt);
+  const Blocks links = blocks_of(tracks.next());
+  const Velocities now(tracks, options.velocity, links, dt);
   std::size_t first = 0;
   for (const int lag : options.lags) {
     if (lag == 1) {
-      Motion(now, tracks.next(), dt, first, book).take();
+      Motion(now, links, dt, first, book).take();
     } else {
-      const std::vector<Index> ahead = rows_ahead(tracks, lag);
+      const Blocks ahead = blocks_of(rows_ahead(tracks, lag));
       const double lagged = lag * dt;
       Motion(Velocities(tracks, options.velocity, ahead, lagged), ahead, lagged, first, book).take();
     }

@@ -21,9 +21,8 @@ std::pair<T, T> value_spread(std::vector<T> all) {
     for (T& one : all) lists.push_back(&std::get<k>(fields(one)));
     std::tie(std::get<k>(means), std::get<k>(sds)) = mean_and_sd(lists);
   };
-  [&]<std::size_t... k>(std::index_sequence<k...>) {
-    (each(std::integral_constant<std::size_t, k>()), ...);
-  }(std::make_index_sequence<std::tuple_size_v<decltype(means)>>());
+  [&]<std::size_t... k>(std::index_sequence<k...>) { (each(std::integral_constant<std::size_t, k>()), ...); }
+  (std::make_index_sequence<std::tuple_size_v<decltype(means)>>());
   return out;
 }
 

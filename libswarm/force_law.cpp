@@ -7,13 +7,20 @@ namespace swarmfit {
 
 std::string to_string(ForceGroup group) {
   switch (group) {
-    case ForceGroup::drag: return "drag";
-    case ForceGroup::speed_drag: return "drag that depends on speed";
-    case ForceGroup::confinement: return "confinement";
-    case ForceGroup::hardening: return "confinement that depends on distance";
-    case ForceGroup::push: return "constant push";
-    case ForceGroup::pair: return "forces between pairs";
-    case ForceGroup::alignment: return "alignment of pairs";
+    case ForceGroup::drag:
+      return "drag";
+    case ForceGroup::speed_drag:
+      return "drag that depends on speed";
+    case ForceGroup::confinement:
+      return "confinement";
+    case ForceGroup::hardening:
+      return "confinement that depends on distance";
+    case ForceGroup::push:
+      return "constant push";
+    case ForceGroup::pair:
+      return "forces between pairs";
+    case ForceGroup::alignment:
+      return "alignment of pairs";
   }
   return {};
 }
@@ -21,12 +28,16 @@ std::string to_string(ForceGroup group) {
 std::size_t ForceBasis::count(ForceGroup group) const {
   switch (group) {
     case ForceGroup::drag:
-    case ForceGroup::hardening: return 1;
-    case ForceGroup::speed_drag: return 2;
+    case ForceGroup::hardening:
+      return 1;
+    case ForceGroup::speed_drag:
+      return 2;
     case ForceGroup::confinement:
-    case ForceGroup::push: return static_cast<std::size_t>(dims);
+    case ForceGroup::push:
+      return static_cast<std::size_t>(dims);
     case ForceGroup::pair:
-    case ForceGroup::alignment: return kernel_size();
+    case ForceGroup::alignment:
+      return kernel_size();
   }
   return 0;
 }

@@ -53,8 +53,8 @@ struct ForceLaw {
   double memory = 0;                                 // of eta: Ornstein-Uhlenbeck [s]; 0: there is none
 
   double at(ForceGroup group, std::size_t k = 0) const { return coefficients[static_cast<Eigen::Index>(basis.first(group) + k)]; }
-  double drag(double speed) const;                          // [1/s]
-  double confinement(double distance) const;                // mean over the axes of stiffness, with hardening [1/s²]
+  double drag(double speed) const;                         // [1/s]
+  double confinement(double distance) const;               // mean over the axes of stiffness, with hardening [1/s²]
   double kernel(ForceGroup group, double distance) const;  // pair [unit/s²], alignment [1/s]
 };
 

@@ -22,19 +22,19 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-constexpr Index kMostRows = 40000;                                       // more say nothing new
-constexpr Index kWindows = 8;                                            // of a longer recording
-constexpr Index kLag = 4;                                                // frames between a force and its instruments
-constexpr Index kFirstSeen = 3;                                          // autocovariance without localisation error, in frames
+constexpr Index kMostRows = 40000;  // more say nothing new
+constexpr Index kWindows = 8;       // of a longer recording
+constexpr Index kLag = 4;           // frames between a force and its instruments
+constexpr Index kFirstSeen = 3;     // autocovariance without localisation error, in frames
 constexpr Index kLastSeen = 40;
 constexpr std::size_t kFewestSeen = 4, kSureToBeSeen = 15;
-constexpr double kQuantiles[] = {0.02, 0.1, 0.25, 0.45, 0.7, 0.98};      // of distances of pairs, for knots
-constexpr double kCommon = 0.99;                                         // of speeds and distances
+constexpr double kQuantiles[] = {0.02, 0.1, 0.25, 0.45, 0.7, 0.98};  // of distances of pairs, for knots
+constexpr double kCommon = 0.99;                                     // of speeds and distances
 constexpr double kAlpha = 0.05;
-constexpr double kSigmas = 4;                                            // of chance, for memory
-constexpr Index kPiece = 50;                                             // frames of a track that count as one observation
-constexpr double kLongest = 60;                                          // memory, in frames
-constexpr int kMemories = 24, kHalvings = 8;                             // that are tried
+constexpr double kSigmas = 4;                 // of chance, for memory
+constexpr Index kPiece = 50;                  // frames of a track that count as one observation
+constexpr double kLongest = 60;               // memory, in frames
+constexpr int kMemories = 24, kHalvings = 8;  // that are tried
 constexpr double kDoubled = 2, kAgrees = 0.05;
 
 double at_quantile(std::vector<double> values, double q) {
@@ -135,6 +135,7 @@ using Design = std::array<MatrixXd, 3>;
 class DesignOf {
  public:
   DesignOf(const ForceBasis& basis, const Motion& motion) : basis_(basis), motion_(motion) {
+    for (std::size_t g = 0; g < kForceGroups; ++g) first_[g] = static_cast<Index>(basis.first(static_cast<ForceGroup>(g)));
     for (int axis = 0; axis < basis.dims; ++axis)
       design_[static_cast<std::size_t>(axis)] = MatrixXd::Zero(motion.rows(), static_cast<Index>(basis.size()));
   }
@@ -149,7 +150,7 @@ class DesignOf {
  private:
   void add(Index u, ForceGroup group, std::size_t k, const Array3d& value) {
     for (int axis = 0; axis < basis_.dims; ++axis)
-      design_[static_cast<std::size_t>(axis)](u, static_cast<Index>(basis_.first(group) + k)) += value[axis];
+      design_[static_cast<std::size_t>(axis)](u, first_[static_cast<std::size_t>(group)] + static_cast<Index>(k)) += value[axis];
   }
 
   void alone(Index u) {
@@ -195,6 +196,7 @@ class DesignOf {
 
   const ForceBasis& basis_;
   const Motion& motion_;
+  std::array<Index, kForceGroups> first_{};
   Design design_;
 };
 

@@ -15,9 +15,9 @@ ForceBasis force_basis(const Tracks& recording);
 using ForceGroups = std::array<bool, kForceGroups>;  // which are in a law
 
 struct ForceFit {
-  ForceLaw law;                 // NaN coefficients if there is too little to see
-  ForceGroups groups{};         // that are in it
-  Eigen::MatrixXd covariance;   // of the coefficients; 0 for those that are not in it
+  ForceLaw law;                          // NaN coefficients if there is too little to see
+  ForceGroups groups{};                  // that are in it
+  Eigen::MatrixXd covariance;            // of the coefficients; 0 for those that are not in it
   std::array<double, kForceGroups> p{};  // of each group that is in it: could all its coefficients be 0? NaN: it is not
   double condition = 0;                  // of the normal equations, columns of unit length
   Index rows = 0;                        // accelerations that were used

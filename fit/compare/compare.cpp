@@ -26,6 +26,8 @@
 namespace swarmfit {
 namespace {
 
+constexpr std::size_t kForceRuns = 8;  // of whose forces the mean is drawn
+
 // What is seen of a final replicate beside its score; of the first one also its scales and the film.
 struct View {
   AssessedRun assessed;
@@ -196,7 +198,7 @@ Comparison compare(const Tracks& recording, const CompareOptions& wanted, const 
   std::optional<SkillAssessment> assessment;
   const auto view = [&](const Run& run, std::size_t k) {
     return to_bytes(View{assessment->of(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{},
-                         pictures(run.seen, grid), run.blew_up ? ForceCurves{} : force_view.of(run.seen)});
+                         pictures(run.seen, grid), run.blew_up || k >= kForceRuns ? ForceCurves{} : force_view.of(run.seen)});
   };
   const std::vector<bool> used(observation.used.begin(), observation.used.end());
   Calibration calibration(options, conditions, target, used, result.run.history, on_progress, runtime, view);

@@ -39,8 +39,7 @@ struct CurvesAndErrors {
 };
 
 // What is needed together; kernels one at a time beside it.
-CurvesAndErrors curves(const ForceBasis& basis, const ForceGrid& grid, const ForceGroups& needed,
-                       ForceRegression& regression) {
+CurvesAndErrors curves(const ForceBasis& basis, const ForceGrid& grid, const ForceGroups& needed, ForceRegression& regression) {
   const auto with = [&](ForceGroup group) {
     ForceGroups groups = needed;
     groups[static_cast<std::size_t>(group)] = true;

@@ -24,8 +24,8 @@ class ForceView {
   ForceFacts facts_;
 };
 
-// The same of a recording by itself: drag, stiffness and, where there are pairs, attraction and alignment. None where there is too little to
-// see.
+// The same of a recording by itself: drag, stiffness and, where there are pairs, attraction and alignment. None where there is too little
+// to see.
 std::vector<GroupCurve> force_curves(const Tracks& recording);
 
 // Mean and standard deviation value by value, over those that are finite; NaN where fewer than one or two are.

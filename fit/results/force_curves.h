@@ -28,8 +28,8 @@ inline auto fields(ForceCurves& c) { return std::tie(c.drag, c.confinement, c.at
 
 struct ForceFacts {
   ForceGrid grid;
-  ForceCurves recording, se;         // standard errors
-  std::vector<std::string> needed;   // groups of terms that the recording needs, in words
+  ForceCurves recording, se;                     // standard errors
+  std::vector<std::string> needed;               // groups of terms that the recording needs, in words
   double attraction_p = NAN, alignment_p = NAN;  // could there be none, beside what is needed?
 };
 

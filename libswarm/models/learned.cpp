@@ -24,7 +24,6 @@
 #include <cmath>
 #include <string>
 
-
 #include "libswarm/force_regression.h"
 #include "libswarm/model.h"
 #include "libswarm/noise.h"

@@ -13,10 +13,11 @@ namespace swarmfit {
 std::string forces_csv(const Comparison& c) {
   using Values = std::vector<double>;
   const ForceFacts& f = c.recording.forces;
-  const std::tuple<const char*, Values ForceCurves::*, const Values*> all[] = {{"drag", &ForceCurves::drag, &f.grid.speeds},
-                                                                               {"confinement", &ForceCurves::confinement, &f.grid.distances},
-                                                                               {"attraction", &ForceCurves::attraction, &f.grid.pairs},
-                                                                               {"alignment", &ForceCurves::alignment, &f.grid.pairs}};
+  const std::tuple<const char*, Values ForceCurves::*, const Values*> all[] = {
+      {"drag", &ForceCurves::drag, &f.grid.speeds},
+      {"confinement", &ForceCurves::confinement, &f.grid.distances},
+      {"attraction", &ForceCurves::attraction, &f.grid.pairs},
+      {"alignment", &ForceCurves::alignment, &f.grid.pairs}};
   std::string out = "curve,model,x,value,sd\n";
   for (const auto& [name, member, x] : all) {
     const auto add = [&, curve = name, places = x](const std::string& who, const Values& values, const Values& sd) {

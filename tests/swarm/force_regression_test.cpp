@@ -113,8 +113,16 @@ TEST(ForceRegression, ColouredNoise) {
 // A memory that is taken for too long explains everything, and leaves the forces anything: it must not happen once.
 TEST(ForceRegression, NoSeedGetsLost) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const Planted p{.drag = 3, .stiffness = 4, .white = 0, .coloured = 4, .memory = 0.03, .error = 0.0002, .dt = 0.01, .frames = 500,
-                    .steps = 4, .seed = seed};
+    const Planted p{.drag = 3,
+                    .stiffness = 4,
+                    .white = 0,
+                    .coloured = 4,
+                    .memory = 0.03,
+                    .error = 0.0002,
+                    .dt = 0.01,
+                    .frames = 500,
+                    .steps = 4,
+                    .seed = seed};
     const Tracks tracks = flown(p);
     const ForceFit fit = ForceRegression(tracks, force_basis(tracks)).fit({true, false, true});
     EXPECT_NEAR(std::log(fit.law.memory / p.memory), 0, std::log(1.6)) << seed;
@@ -186,7 +194,8 @@ TEST(ForceRegression, TheInstrumentsAreAtRightAngles) {
 
   std::map<std::pair<std::uint32_t, std::int64_t>, Array3d> seen;
   for (Index row = 0; row < tracks.rows(); ++row)
-    seen[{tracks.track()[static_cast<std::size_t>(row)], tracks.frame()[static_cast<std::size_t>(row)]}] = tracks.pos().row(row).transpose();
+    seen[{tracks.track()[static_cast<std::size_t>(row)], tracks.frame()[static_cast<std::size_t>(row)]}] =
+        tracks.pos().row(row).transpose();
   const auto has = [&](std::uint32_t i, std::int64_t k) { return seen.count({i, k - 1}) && seen.count({i, k}) && seen.count({i, k + 1}); };
   const auto at = [&](std::uint32_t i, std::int64_t k) { return seen.at({i, k}); };
   const auto x_of = [&](std::uint32_t i, std::int64_t k) -> Array3d {
