@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "libswarm/force_regression.h"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
@@ -424,11 +422,12 @@ class Regression {
         ++pieces;
       }
     if (pieces > 1) meat *= static_cast<double>(pieces) / static_cast<double>(pieces - 1);
-    const MatrixXd inverse = normal_.completeOrthogonalDecomposition().pseudoInverse();
+    const auto factors = normal_.completeOrthogonalDecomposition();
+    const MatrixXd inverse = factors.pseudoInverse();
     const MatrixXd scaled = s.cwiseInverse().asDiagonal() * (inverse * meat * inverse.transpose()) * s.cwiseInverse().asDiagonal();
     covariance_(columns_, columns_) = scaled;
-    const VectorXd singular = normal_.jacobiSvd().singularValues();
-    condition_ = singular.minCoeff() > 0 ? singular.maxCoeff() / singular.minCoeff() : INFINITY;
+    const VectorXd pivots = factors.matrixT().diagonal().head(n).cwiseAbs();
+    condition_ = pivots.minCoeff() > 0 ? pivots.maxCoeff() / pivots.minCoeff() : INFINITY;
   }
 
   const ForceBasis& basis_;

@@ -19,7 +19,7 @@ struct ForceFit {
   ForceGroups groups{};                  // that are in it
   Eigen::MatrixXd covariance;            // of the coefficients; 0 for those that are not in it
   std::array<double, kForceGroups> p{};  // of each group that is in it: could all its coefficients be 0? NaN: it is not
-  double condition = 0;                  // of the normal equations, columns of unit length
+  double condition = 0;                  // of the normal equations, columns of unit length: ratio of pivots
   Index rows = 0;                        // accelerations that were used
 
   double se(ForceGroup group, std::size_t k = 0) const;
