@@ -26,7 +26,7 @@
 namespace swarmfit {
 namespace {
 
-constexpr std::size_t kForceRuns = 8;  // of whose forces the mean is drawn
+constexpr std::size_t kForceRuns = 8;  // of whose forces the median is drawn
 
 // What is seen of a final replicate beside its score; of the first one also its scales and the film.
 struct View {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "libeval/robust.h"
 #include "libeval/value_spread.h"
 
 namespace swarmfit {
@@ -99,8 +100,9 @@ std::vector<GroupCurve> force_curves(const Tracks& recording) {
 }
 
 ForceSpread force_spread(std::span<const ForceCurves> all) {
-  auto [mean, sd] = value_spread(std::vector<ForceCurves>(all.begin(), all.end()));
-  return {std::move(mean), std::move(sd)};
+  const std::vector<ForceCurves> curves(all.begin(), all.end());
+  return {summarised(curves, [](const std::vector<double>& values) { return robust(values).median; }),
+          summarised(curves, [](const std::vector<double>& values) { return robust(values).sd; })};
 }
 
 }  // namespace swarmfit

@@ -33,9 +33,9 @@ struct ForceFacts {
   double attraction_p = NAN, alignment_p = NAN;  // could there be none, beside what is needed?
 };
 
-// Of a model: over its single final replicates.
+// Of a model: median over some of its final replicates, and 1.4826 times the median distance from it.
 struct ForceSpread {
-  ForceCurves mean, sd;
+  ForceCurves median, sd;
 };
 
 }  // namespace swarmfit

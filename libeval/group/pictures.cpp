@@ -220,9 +220,6 @@ Pictures pictures(const Tracks& tracks, const PictureGrid& grid) {
   return out;
 }
 
-PictureSpread picture_spread(const std::vector<Pictures>& all) {
-  auto [mean, sd] = value_spread(all);
-  return {std::move(mean), std::move(sd)};
-}
+PictureSpread picture_spread(const std::vector<Pictures>& all) { return {summarised(all, mean_of), summarised(all, sd_of)}; }
 
 }  // namespace swarmfit

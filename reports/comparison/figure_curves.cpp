@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMost = 8;  // models that can be told apart in one panel
 constexpr double kWidest = 2;     // standard deviations of the band
+constexpr double kBeyond = 3;
 using Values = std::vector<double>;
 
 // Mean and standard deviation, or error, of what is drawn.
@@ -29,6 +30,7 @@ struct Wanted {
   Shown recording;
   std::vector<Shown> models;
   bool logarithmic = false;  // both axes; what is not positive is left out
+  bool cropped = false;      // models may leave the panel, which reaches kBeyond times the recording's band beyond it
 };
 
 plot::Curve curve_of(const Wanted& w, const Values& y) {
@@ -65,6 +67,14 @@ void draw(svg::Sheet& sheet, const svg::Box& box, const Wanted& w) {
   for (const Band* band : {&recorded, &best})
     for (const plot::Curve* edge : {&band->low, &band->high})
       for (const svg::Point& p : *edge) up.include(p.y);
+  if (w.cropped && !recorded.low.empty()) {
+    plot::Range near;
+    for (const plot::Curve* edge : {&recorded.low, &recorded.high})
+      for (const svg::Point& p : *edge) near.include(p.y);
+    const double beyond = kBeyond * (near.upper - near.lower);
+    up.lower = std::max(up.lower, near.lower - beyond);
+    up.upper = std::min(up.upper, near.upper + beyond);
+  }
   // What hardly varies must not fill the panel with its rounding.
   const double room = std::max(0.05 * (up.upper - up.lower), 1e-3 * std::max(std::abs(up.lower), std::abs(up.upper)));
   const plot::Axis x =
@@ -117,7 +127,8 @@ Wanted of_pictures(const Comparison& c, Values Pictures::*member, Values x, std:
 Wanted of_forces(const Comparison& c, Values ForceCurves::*member, Values x, std::string x_title, std::string y_title) {
   const ForceFacts& f = c.recording.forces;
   Wanted out{std::move(x_title), std::move(y_title), std::move(x), {&(f.recording.*member), &(f.se.*member)}, {}};
-  for (const ModelFit& m : c.models) out.models.push_back({&(m.likeness.forces.mean.*member)});
+  out.cropped = true;
+  for (const ModelFit& m : c.models) out.models.push_back({&(m.likeness.forces.median.*member)});
   return out;
 }
 
@@ -164,9 +175,8 @@ Figure forces(const Comparison& c) {
   const double height = draw_all(sheet, c, all, 2, 92);
   const std::string caption =
       "Forces by regression of accelerations on velocity, place and neighbours, in the recording and, by the same regression, in "
-      "simulations of each fitted model. Attraction below 0 is repulsion. Black: recording, with 2 standard errors. Lines: mean of the "
-      "final "
-      "replicates.";
+      "simulations of each fitted model. Attraction below 0 is repulsion. Black: recording, with 2 standard errors. Lines: median of "
+      "eight simulations each; what is far from the recording is cropped.";
   return {"forces", caption, sheet.document(height, "Forces by regression", caption)};
 }
 

@@ -25,7 +25,7 @@ std::string forces_csv(const Comparison& c) {
         out += fmt::format("{},{},{},{},{}\n", curve, who, exact((*places)[k]), exact(values[k]), k < sd.size() ? exact(sd[k]) : "");
     };
     add("recording", f.recording.*member, f.se.*member);
-    for (const ModelFit& m : c.models) add(csv_field(m.model), m.likeness.forces.mean.*member, m.likeness.forces.sd.*member);
+    for (const ModelFit& m : c.models) add(csv_field(m.model), m.likeness.forces.median.*member, m.likeness.forces.sd.*member);
   }
   return out;
 }

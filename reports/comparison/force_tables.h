@@ -7,7 +7,8 @@
 
 namespace swarmfit {
 
-// curve,model,x,value,sd: forces of the recording, with standard errors, and of every model, with standard deviations over its simulations.
+// curve,model,x,value,sd: forces of the recording, with standard errors, and of every model, with robust standard deviations over its
+// simulations.
 std::string forces_csv(const Comparison&);
 
 }  // namespace swarmfit

@@ -15,11 +15,11 @@ namespace {
 // "The recording needs drag, confinement and forces between pairs. ..."
 std::string what_is_needed(const ForceFacts& f) {
   std::string out = fmt::format("The accelerations of the recording need these terms: {}.", fmt::join(f.needed, ", "));
-  const auto could_be_none = [&](const char* what, double p) {
-    if (std::isfinite(p)) out += fmt::format(" {}: p = {} for none at all.", what, rounded(p, 2));
+  const auto test = [&](const char* what, double p) {
+    if (std::isfinite(p)) out += fmt::format(" Test that pairs {}: p = {}.", what, rounded(p, 2));
   };
-  could_be_none("Attraction or repulsion between pairs, beside the others", f.attraction_p);
-  could_be_none("Alignment between pairs, beside the others", f.alignment_p);
+  test("neither attract nor repel each other", f.attraction_p);
+  test("do not align", f.alignment_p);
   return out;
 }
 
@@ -34,7 +34,7 @@ HtmlTable noise_table(const Comparison& c) {
     table.row(cells);
   };
   row(markup("recording"), c.recording.forces.recording.noise);
-  for (const ModelFit& m : c.models) row(escaped(m.model), m.likeness.forces.mean.noise);
+  for (const ModelFit& m : c.models) row(escaped(m.model), m.likeness.forces.median.noise);
   return table;
 }
 

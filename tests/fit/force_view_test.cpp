@@ -32,8 +32,8 @@ TEST(ForceView, RecordingAndSimulationAreMeasuredAlike) {
 
   const std::vector<ForceCurves> runs{view.of(trapped(2)), view.of(trapped(3)), {}};
   const ForceSpread spread = force_spread(runs);
-  ASSERT_EQ(spread.mean.attraction.size(), f.grid.pairs.size());
-  EXPECT_DOUBLE_EQ(spread.mean.confinement[3], (runs[0].confinement[3] + runs[1].confinement[3]) / 2) << "what blew up does not count";
+  ASSERT_EQ(spread.median.attraction.size(), f.grid.pairs.size());
+  EXPECT_DOUBLE_EQ(spread.median.confinement[3], (runs[0].confinement[3] + runs[1].confinement[3]) / 2) << "what blew up does not count";
 }
 
 TEST(ForceView, CurvesOfWhatThereIs) {

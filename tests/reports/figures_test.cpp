@@ -252,8 +252,8 @@ TEST(Pictures, WhatDoesNotVaryIsDrawn) {
 
 TEST(Pictures, ForcesAreSaidAndTabulated) {
   const Comparison c = with_pictures();
-  EXPECT_THAT(page::forces(c).text, AllOf(HasSubstr("need these terms: drag, confinement."),
-                                          HasSubstr("beside the others: p = 0.030 for none"), HasSubstr("<svg")));
+  EXPECT_THAT(page::forces(c).text,
+              AllOf(HasSubstr("need these terms: drag, confinement."), HasSubstr("nor repel each other: p = 0.030."), HasSubstr("<svg")));
   EXPECT_EQ(page::forces(sample_comparison()).text, "");
   const std::string csv = forces_csv(c);
   EXPECT_THAT(csv, testing::StartsWith("curve,model,x,value,sd\ndrag,recording,0,0.3,0.1\n"));
