@@ -6,15 +6,12 @@
 //        + sum over others of  pair(r) r̂ + alignment(r) (v_j - v_i)
 //
 // r̂ points to the other at distance r; pair > 0 attracts. drag is a polynomial of the speed, kernels are straight between knots.
-// M. Lu, S. Zhong, M. Tang, M. Maggioni, PNAS 116: 14424, 2019 (doi:10.1073/pnas.1822012116) for kernels of pairs.
+// F. Lu, M. Zhong, S. Tang, M. Maggioni, PNAS 116: 14424, 2019 (doi:10.1073/pnas.1822012116) for kernels of pairs.
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <string>
 #include <vector>
-
-#include "libtrack/tracks.h"
 
 namespace swarmfit {
 

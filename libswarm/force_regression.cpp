@@ -3,13 +3,15 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "libswarm/force_design.h"
 
 namespace swarmfit {
 namespace {
@@ -20,20 +22,20 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-constexpr Index kMostRows = 40000;  // more say nothing new
-constexpr Index kWindows = 8;       // of a longer recording
-constexpr Index kLag = 4;           // frames between a force and its instruments
-constexpr Index kFirstSeen = 3;     // autocovariance without localisation error, in frames
+constexpr Index kLag = 4;        // frames between a force and its instruments
+constexpr Index kFirstSeen = 3;  // autocovariance without localisation error, in frames
 constexpr Index kLastSeen = 40;
 constexpr std::size_t kFewestSeen = 4, kSureToBeSeen = 15;
 constexpr double kQuantiles[] = {0.02, 0.1, 0.25, 0.45, 0.7, 0.98};  // of distances of pairs, for knots
 constexpr double kCommon = 0.99;                                     // of speeds and distances
 constexpr double kAlpha = 0.05;
+constexpr double kFewestPieces = 5;
 constexpr double kSigmas = 4;                 // of chance, for memory
 constexpr Index kPiece = 50;                  // frames of a track that count as one observation
 constexpr double kLongest = 60;               // memory, in frames
 constexpr int kMemories = 24, kHalvings = 8;  // that are tried
 constexpr double kDoubled = 2, kAgrees = 0.05;
+constexpr double kBartlett = 0.61;  // variance of a mean of three autocovariances where neighbours correlate by a quarter
 
 double at_quantile(std::vector<double> values, double q) {
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
@@ -60,144 +62,6 @@ std::vector<double> pair_distances(const Tracks& tracks) {
   return out;
 }
 
-// Which frames are used: all, or the beginnings of equal parts of a long recording.
-class Windows {
- public:
-  explicit Windows(const Tracks& tracks) {
-    if (tracks.rows() <= kMostRows) return;
-    first_ = tracks.frames().front().number;
-    length_ = std::max<std::int64_t>(1, (tracks.frames().back().number - first_ + 1) / kWindows);
-    used_ = static_cast<std::int64_t>(static_cast<double>(length_) * static_cast<double>(kMostRows) / static_cast<double>(tracks.rows()));
-  }
-  bool hold(std::int64_t frame) const { return length_ == 0 || (frame - first_) % length_ < used_; }
-
- private:
-  std::int64_t first_ = 0, length_ = 0, used_ = 0;
-};
-
-// An unbroken run of accelerations: rows of the design.
-struct Run {
-  Index first, count;
-};
-
-// Symmetric differences, and who they are of.
-class Motion {
- public:
-  Motion(const Tracks& tracks, const Windows& windows) : number_(static_cast<std::size_t>(tracks.rows()), -1) {
-    std::vector<Index> before, here, after;
-    for_each_segment(tracks, 3, [&](std::span<const Index> run) {
-      Run now{static_cast<Index>(here.size()), 0};
-      const auto close = [&] {
-        if (now.count > 0) runs_.push_back(now);
-        now = {static_cast<Index>(here.size()), 0};
-      };
-      for (std::size_t k = 1; k + 1 < run.size(); ++k) {
-        if (!windows.hold(tracks.frame()[static_cast<std::size_t>(run[k])])) {
-          close();
-          continue;
-        }
-        number_[static_cast<std::size_t>(run[k])] = static_cast<Index>(here.size());
-        before.push_back(run[k - 1]), here.push_back(run[k]), after.push_back(run[k + 1]);
-        ++now.count;
-      }
-      close();
-    });
-    const auto n = static_cast<Index>(here.size());
-    const double dt = tracks.dt();
-    x_.resize(n, 3), v_.resize(n, 3), a_.resize(n, 3);
-    for (Index u = 0; u < n; ++u) {
-      const auto k = static_cast<std::size_t>(u);
-      const Array3d b = place(tracks, before[k]), h = place(tracks, here[k]), a = place(tracks, after[k]);
-      x_.row(u) = ((b + h + a) / 3).transpose();
-      v_.row(u) = ((a - b) / (2 * dt)).transpose();
-      a_.row(u) = ((a - 2 * h + b) / (dt * dt)).transpose();
-    }
-  }
-
-  Index rows() const { return x_.rows(); }
-  Index number(Index row) const { return number_[static_cast<std::size_t>(row)]; }  // of a row of the tracks; -1: has no differences
-  const std::vector<Run>& runs() const { return runs_; }
-  Array3d x(Index u) const { return x_.row(u).transpose(); }
-  Array3d v(Index u) const { return v_.row(u).transpose(); }
-  const Rows& acceleration() const { return a_; }
-
- private:
-  std::vector<Index> number_;
-  std::vector<Run> runs_;
-  Rows x_, v_, a_;
-};
-
-// What every term is at every place: per axis, rows x coefficients.
-using Design = std::array<MatrixXd, 3>;
-
-class DesignOf {
- public:
-  DesignOf(const ForceBasis& basis, const Motion& motion) : basis_(basis), motion_(motion) {
-    for (std::size_t g = 0; g < kForceGroups; ++g) first_[g] = static_cast<Index>(basis.first(static_cast<ForceGroup>(g)));
-    for (int axis = 0; axis < basis.dims; ++axis)
-      design_[static_cast<std::size_t>(axis)] = MatrixXd::Zero(motion.rows(), static_cast<Index>(basis.size()));
-  }
-
-  Design take(const Tracks& tracks) && {
-    for (Index u = 0; u < motion_.rows(); ++u) alone(u);
-    if (basis_.kernel_size() > 0)
-      for (const FrameRange& frame : tracks.frames()) pairs(tracks, frame);
-    return std::move(design_);
-  }
-
- private:
-  void add(Index u, ForceGroup group, std::size_t k, const Array3d& value) {
-    for (int axis = 0; axis < basis_.dims; ++axis)
-      design_[static_cast<std::size_t>(axis)](u, first_[static_cast<std::size_t>(group)] + static_cast<Index>(k)) += value[axis];
-  }
-
-  void alone(Index u) {
-    const Array3d v = motion_.v(u), x = motion_.x(u) - basis_.centre;
-    const double speed = std::min(std::sqrt(v.square().sum()), basis_.top_speed);
-    const double distance = std::min(std::sqrt(x.square().sum()), basis_.reach);
-    add(u, ForceGroup::drag, 0, v);
-    add(u, ForceGroup::speed_drag, 0, speed * v);
-    add(u, ForceGroup::speed_drag, 1, speed * speed * v);
-    add(u, ForceGroup::hardening, 0, distance * distance * x);
-    for (int axis = 0; axis < basis_.dims; ++axis) {
-      Array3d along = Array3d::Zero();
-      along[axis] = 1;
-      add(u, ForceGroup::confinement, static_cast<std::size_t>(axis), along * x);
-      add(u, ForceGroup::push, static_cast<std::size_t>(axis), along);
-    }
-  }
-
-  void pairs(const Tracks& tracks, const FrameRange& frame) {
-    for (Index i = 0; i < frame.count; ++i)
-      for (Index j = i + 1; j < frame.count; ++j) pair(tracks, frame.first + i, frame.first + j);
-  }
-
-  // Somebody whose differences are not known acts from where he was seen, and aligns nobody.
-  void pair(const Tracks& tracks, Index row, Index other) {
-    const Index u = motion_.number(row), w = motion_.number(other);
-    if (u < 0 && w < 0) return;
-    const auto where = [&](Index n, Index r) { return n >= 0 ? motion_.x(n) : place(tracks, r); };
-    const Array3d away = where(w, other) - where(u, row);
-    const double distance = std::sqrt(away.square().sum());
-    const auto [first, weight, next] = basis_.hat(distance);
-    if (!(distance > 0) || (weight == 0 && next == 0)) return;
-    const Array3d towards = away / distance;
-    const Array3d difference = u >= 0 && w >= 0 ? Array3d(motion_.v(w) - motion_.v(u)) : Array3d::Zero();
-    const auto both = [&](std::size_t k, double by) {
-      if (by == 0) return;
-      if (u >= 0) add(u, ForceGroup::pair, k, by * towards), add(u, ForceGroup::alignment, k, by * difference);
-      if (w >= 0) add(w, ForceGroup::pair, k, -by * towards), add(w, ForceGroup::alignment, k, -by * difference);
-    };
-    both(first, weight);
-    if (next > 0) both(first + 1, next);
-  }
-
-  const ForceBasis& basis_;
-  const Motion& motion_;
-  std::array<Index, kForceGroups> first_{};
-  Design design_;
-};
-
 // Sums that the regression needs, for any memory of the noise.
 struct Moments {
   MatrixXd now, before;  // instruments · terms of the same and of the preceding frame
@@ -222,21 +86,21 @@ double seen_later(double x) { return x < 1e-6 ? 1 : std::pow(2 * std::sinh(x / 2
 
 class Regression {
  public:
-  Regression(const ForceBasis& basis, const Motion& motion, Design design, double dt)
-      : basis_(basis), motion_(motion), design_(std::move(design)), dt_(dt) {
+  Regression(const Tracks& tracks, const ForceBasis& basis) : basis_(basis), design_(tracks, basis), dt_(tracks.dt()) {
     const auto n = static_cast<Index>(basis.size());
     scale_ = VectorXd::Zero(n);
-    for (int axis = 0; axis < basis.dims; ++axis) scale_ += of(axis).colwise().squaredNorm().transpose();
-    scale_ = scale_.cwiseSqrt() / std::sqrt(static_cast<double>(std::max<Index>(1, motion.rows())));
+    for (int axis = 0; axis < basis.dims; ++axis) scale_ += design_.terms(axis).colwise().squaredNorm().transpose();
+    scale_ = scale_.cwiseSqrt() / std::sqrt(static_cast<double>(std::max<Index>(1, design_.rows())));
     moments_ = {MatrixXd::Zero(n, n), MatrixXd::Zero(n, n), VectorXd::Zero(n), VectorXd::Zero(n)};
     for (int axis = 0; axis < basis.dims; ++axis)
-      for (const Run& run : long_runs()) {
-        const Index some = run.count - kLag;
-        const auto z = of(axis).middleRows(run.first, some);
-        moments_.now += z.transpose() * of(axis).middleRows(run.first + kLag, some);
-        moments_.before += z.transpose() * of(axis).middleRows(run.first + kLag - 1, some);
-        moments_.a_now += z.transpose() * acceleration(axis, run.first + kLag, some);
-        moments_.a_before += z.transpose() * acceleration(axis, run.first + kLag - 1, some);
+      for (const auto& run : long_runs()) {
+        // Products without blocks, whose size would depend on the machine and with it the last bits.
+        const Index some = run.count - kLag, now = run.first + kLag;
+        const auto z = design_.terms(axis).middleRows(run.first, some).transpose();
+        moments_.now += z.lazyProduct(design_.terms(axis).middleRows(now, some));
+        moments_.before += z.lazyProduct(design_.terms(axis).middleRows(now - 1, some));
+        moments_.a_now += z.lazyProduct(design_.acceleration(axis).segment(now, some));
+        moments_.a_before += z.lazyProduct(design_.acceleration(axis).segment(now - 1, some));
         rows_ += axis == 0 ? some : 0;
       }
   }
@@ -245,18 +109,17 @@ class Regression {
   const Memory& memory() const { return memory_; }
   const VectorXd& coefficients() const { return theta_; }
   const MatrixXd& covariance() const { return covariance_; }
-  double condition() const { return condition_; }
 
   // Forces of these groups alone, with the memory as it is.
   void refit(const ForceGroups& kept) {
-    columns_ = columns_of(kept);
+    choose(kept);
     solve();
     add_errors();
   }
 
   // The same, and the memory that goes with them.
   void fit(const ForceGroups& kept) {
-    columns_ = columns_of(kept);
+    choose(kept);
     find_memory();
     solve();
     add_errors();
@@ -268,9 +131,11 @@ class Regression {
     if (count == 0 || !(scale_.segment(first, count).minCoeff() > 0)) return kUndefined;
     const VectorXd theta = theta_.segment(first, count);
     const MatrixXd covariance = covariance_.block(first, first, count, count);
+    const auto many = static_cast<double>(count), pieces = static_cast<double>(pieces_);
+    if (pieces < many + kFewestPieces) return kUndefined;
     const double wald = theta.dot(covariance.completeOrthogonalDecomposition().solve(theta));
     if (!std::isfinite(wald)) return 1;
-    return cdf(complement(boost::math::chi_squared(static_cast<double>(count)), std::max(0.0, wald)));
+    return cdf(complement(boost::math::fisher_f(many, pieces - many), std::max(0.0, wald) * (pieces - many) / (many * (pieces - 1))));
   }
 
   // Strength of what is white, per axis.
@@ -286,24 +151,22 @@ class Regression {
   }
 
  private:
-  const MatrixXd& of(int axis) const { return design_[static_cast<std::size_t>(axis)]; }
-  VectorXd acceleration(int axis, Index first, Index count) const {
-    return motion_.acceleration().col(axis).segment(first, count).matrix();
-  }
-  std::vector<Run> long_runs() const {
-    std::vector<Run> out;
-    for (const Run& run : motion_.runs())
+  std::vector<ForceDesign::Run> long_runs() const {
+    std::vector<ForceDesign::Run> out;
+    for (const auto& run : design_.runs())
       if (run.count > kLag) out.push_back(run);
     return out;
   }
 
-  // Coefficients of these groups that any row can tell.
-  std::vector<Index> columns_of(const ForceGroups& kept) const {
-    std::vector<Index> out;
+  // Coefficients of these groups that any row can tell, and those that none can.
+  void choose(const ForceGroups& kept) {
+    columns_.clear();
+    unseen_.clear();
     for (std::size_t g = 0; g < kForceGroups; ++g)
-      for (std::size_t k = 0; kept[g] && k < basis_.count(static_cast<ForceGroup>(g)); ++k)
-        if (const auto c = static_cast<Index>(basis_.first(static_cast<ForceGroup>(g)) + k); scale_[c] > 0) out.push_back(c);
-    return out;
+      for (std::size_t k = 0; kept[g] && k < basis_.count(static_cast<ForceGroup>(g)); ++k) {
+        const auto c = static_cast<Index>(basis_.first(static_cast<ForceGroup>(g)) + k);
+        (scale_[c] > 0 ? columns_ : unseen_).push_back(c);
+      }
   }
 
   void solve() {
@@ -315,14 +178,14 @@ class Regression {
     theta_ = VectorXd::Zero(static_cast<Index>(basis_.size()));
     if (n > 0) theta_(columns_) = s.cwiseInverse().asDiagonal() * VectorXd(normal_.completeOrthogonalDecomposition().solve(right));
     for (int axis = 0; axis < basis_.dims; ++axis)
-      residuals_[static_cast<std::size_t>(axis)] = acceleration(axis, 0, motion_.rows()) - of(axis) * theta_;
+      residuals_[static_cast<std::size_t>(axis)] = design_.acceleration(axis) - design_.terms(axis) * theta_;
   }
 
   double autocovariance(int axis, Index shift) const {
     double sum = 0;
     Index count = 0;
     const VectorXd& e = residuals_[static_cast<std::size_t>(axis)];
-    for (const Run& run : motion_.runs())
+    for (const auto& run : design_.runs())
       if (run.count > shift) {
         sum += e.segment(run.first, run.count - shift).dot(e.segment(run.first + shift, run.count - shift));
         count += run.count - shift;
@@ -330,12 +193,13 @@ class Regression {
     return count > 0 ? sum / static_cast<double>(count) : 0;
   }
 
-  // The exponential through the autocovariances that localisation error does not reach: least squares.
-  Memory memory_of_residuals() const {
+  // Autocovariances of the residuals that localisation error does not reach, per axis, until they have died away: what follows is chance,
+  // and long waves of it. Too few to tell a memory: none.
+  Eigen::ArrayX3d remembered() const {
     Index longest = 0;
-    for (const Run& run : motion_.runs()) longest = std::max(longest, run.count);
+    for (const auto& run : design_.runs()) longest = std::max(longest, run.count);
     const Index last = std::min(kLastSeen, longest / 4);
-    std::vector<Array3d> found;  // until it has died away: what follows is chance, and long waves of it
+    std::vector<Array3d> found;
     for (Index s = kFirstSeen; s <= last && (found.size() < kSureToBeSeen || found.back().sum() > 0); ++s) {
       Array3d at = Array3d::Zero();
       for (int axis = 0; axis < basis_.dims; ++axis) at[axis] = autocovariance(axis, s);
@@ -344,16 +208,30 @@ class Regression {
     if (found.size() < kFewestSeen) return {};
     Eigen::ArrayX3d seen(static_cast<Index>(found.size()), 3);
     for (std::size_t k = 0; k < found.size(); ++k) seen.row(static_cast<Index>(k)) = found[k].transpose();
+    return seen;
+  }
+
+  // Noise with this memory (dt over it is x) that looks most like them, and how much it misses: least squares.
+  struct Alike {
+    Array3d variance;
+    double missed;
+  };
+  static Alike alike(const Eigen::ArrayX3d& seen, double x) {
     const ArrayXd shift = ArrayXd::LinSpaced(seen.rows(), kFirstSeen, static_cast<double>(kFirstSeen + seen.rows() - 1));
+    const ArrayXd curve = seen_later(x) * (-x * shift).exp();
+    const Array3d variance = (seen.colwise() * curve).colwise().sum().transpose() / curve.square().sum();
+    double missed = 0;
+    for (int axis = 0; axis < 3; ++axis) missed += (seen.col(axis) - variance[axis] * curve).square().sum();
+    return {variance.max(0), missed};
+  }
+
+  // By how much it shrinks in a frame.
+  static Memory memory_of(const Eigen::ArrayX3d& seen) {
     Memory best;
     double least = INFINITY;
-    for (int k = 0; k <= 200; ++k) {  // of one frame to kLongest
+    for (int k = 0; k <= 200 && seen.rows() > 0; ++k) {  // of one frame to kLongest
       const double x = std::pow(kLongest, -k / 200.0);
-      const ArrayXd curve = seen_later(x) * (-x * shift).exp();
-      const Array3d variance = (seen.colwise() * curve).colwise().sum().transpose() / curve.square().sum();
-      double missed = 0;
-      for (int axis = 0; axis < basis_.dims; ++axis) missed += (seen.col(axis) - variance[axis] * curve).square().sum();
-      if (missed < least) least = missed, best = {std::exp(-x), variance.max(0)};
+      if (const Alike a = alike(seen, x); a.missed < least) least = a.missed, best = {std::exp(-x), a.variance};
     }
     return best;
   }
@@ -365,14 +243,14 @@ class Regression {
     const auto beyond = [&](double rho) {  // by how much the residuals remember longer than that, and a twentieth
       memory_.rho = rho;
       solve();
-      const Memory found = memory_of_residuals();
+      const Memory found = memory_of(remembered());
       memory_.variance = found.variance;
       return found.rho - rho - kAgrees * (1 - rho);
     };
     double low = 0, nearest = 0, least = beyond(0);
     const double most = kDoubled * memory_.variance.sum();
-    if (!remembers()) return void(memory_ = {});
-    for (int k = 0; k <= kMemories; ++k) {
+    const bool any = most > 0 && remembers();
+    for (int k = 0; any && k <= kMemories; ++k) {
       double high = std::exp(-std::pow(kLongest, -k / double{kMemories}));
       const double now = beyond(high);
       if (memory_.variance.sum() > most) break;
@@ -387,8 +265,13 @@ class Regression {
       if (now < least) least = now, nearest = high;
       low = high;
     }
-    beyond(nearest);
-    if (!remembers()) memory_ = {};
+    memory_ = {};
+    if (nearest <= 0) return;
+    memory_.rho = nearest;
+    solve();
+    const Eigen::ArrayX3d seen = remembered();
+    if (seen.rows() > 0) memory_.variance = alike(seen, -std::log(nearest)).variance;
+    if (!(memory_.variance.sum() > 0) || !remembers()) memory_ = {};
   }
 
   // Are autocovariances that localisation error does not reach more than chance?
@@ -396,7 +279,7 @@ class Regression {
     double seen = 0, chance = 0;
     for (int axis = 0; axis < basis_.dims; ++axis) {
       for (Index s = kFirstSeen; s < kFirstSeen + 3; ++s) seen += autocovariance(axis, s) / 3;
-      chance += std::pow(autocovariance(axis, 0), 2) / static_cast<double>(3 * std::max<Index>(1, rows_));
+      chance += kBartlett * std::pow(autocovariance(axis, 0), 2) / static_cast<double>(std::max<Index>(1, rows_));
     }
     return seen > kSigmas * std::sqrt(chance);
   }
@@ -408,45 +291,42 @@ class Regression {
     if (n == 0) return;
     const VectorXd s = scale_(columns_);
     MatrixXd meat = MatrixXd::Zero(n, n);
-    Index pieces = 0;
-    for (const Run& run : long_runs())
+    pieces_ = 0;
+    for (const auto& run : long_runs())
       for (Index begin = kLag; begin < run.count; begin += kPiece) {
         const Index count = std::min(kPiece, run.count - begin), from = run.first + begin;
         VectorXd score = VectorXd::Zero(n);
         for (int axis = 0; axis < basis_.dims; ++axis) {
           const VectorXd& e = residuals_[static_cast<std::size_t>(axis)];
           const VectorXd fresh = e.segment(from, count) - memory_.rho * e.segment(from - 1, count);
-          score += (of(axis).middleRows(from - kLag, count).transpose() * fresh)(columns_).cwiseQuotient(s);
+          score += (design_.terms(axis).middleRows(from - kLag, count).transpose() * fresh)(columns_).cwiseQuotient(s);
         }
         meat += score * score.transpose();
-        ++pieces;
+        ++pieces_;
       }
-    if (pieces > 1) meat *= static_cast<double>(pieces) / static_cast<double>(pieces - 1);
-    const auto factors = normal_.completeOrthogonalDecomposition();
-    const MatrixXd inverse = factors.pseudoInverse();
+    if (pieces_ > 1) meat *= static_cast<double>(pieces_) / static_cast<double>(pieces_ - 1);
+    const MatrixXd inverse = normal_.completeOrthogonalDecomposition().pseudoInverse();
     const MatrixXd scaled = s.cwiseInverse().asDiagonal() * (inverse * meat * inverse.transpose()) * s.cwiseInverse().asDiagonal();
     covariance_(columns_, columns_) = scaled;
-    const VectorXd pivots = factors.matrixT().diagonal().head(n).cwiseAbs();
-    condition_ = pivots.minCoeff() > 0 ? pivots.maxCoeff() / pivots.minCoeff() : INFINITY;
+    for (const Index c : unseen_) covariance_.row(c).setConstant(kUndefined), covariance_.col(c).setConstant(kUndefined);
   }
 
   const ForceBasis& basis_;
-  const Motion& motion_;
-  Design design_;
+  ForceDesign design_;
   double dt_;
   VectorXd scale_;  // root mean square of every term
   Moments moments_;
   Index rows_ = 0;
-  std::vector<Index> columns_;  // of the groups that are fitted
+  std::vector<Index> columns_, unseen_;  // of the groups that are fitted
   MatrixXd normal_, covariance_;
   VectorXd theta_;
   std::array<VectorXd, 3> residuals_;
   Memory memory_;
-  double condition_ = 0;
+  Index pieces_ = 0;
 };
 
-constexpr double kNeeded = kAlpha / kForceGroups;
-constexpr ForceGroups kSimplest{true, false, true};  // drag and confinement
+constexpr ForceGroups kSimplest{true, false, true};      // drag and confinement
+constexpr double kNeeded = kAlpha / (kForceGroups - 2);  // of those that are tested
 
 // To drag and confinement the group that is needed most comes in and those that are not needed any more go out, as long as one does.
 // The memory of the noise stays as it is.
@@ -477,7 +357,8 @@ ForceGroups needed_groups(Regression& regression, const ForceGroups& there) {
 ForceBasis force_basis(const Tracks& recording) {
   ForceBasis out;
   out.dims = recording.dims();
-  out.centre = recording.rows() > 0 ? Array3d(recording.pos().colwise().mean().transpose()) : Array3d::Zero();
+  for (Index row = 0; row < recording.rows(); ++row) out.centre += place(recording, row);
+  if (recording.rows() > 0) out.centre /= static_cast<double>(recording.rows());
   std::vector<double> speeds, distances;
   for (Index row = 0; row < recording.rows(); ++row) {
     distances.push_back(std::sqrt((place(recording, row) - out.centre).square().sum()));
@@ -495,14 +376,12 @@ ForceBasis force_basis(const Tracks& recording) {
 
 // What is measured once, and fitted again and again.
 struct ForceRegression::Measured {
-  Measured(const Tracks& tracks, const ForceBasis& of)
-      : basis(of), dt(tracks.dt()), motion(tracks, Windows(tracks)), regression(basis, motion, DesignOf(basis, motion).take(tracks), dt) {
+  Measured(const Tracks& tracks, const ForceBasis& of) : basis(of), dt(tracks.dt()), regression(tracks, basis) {
     for (std::size_t g = 0; g < kForceGroups; ++g) there[g] = basis.count(static_cast<ForceGroup>(g)) > 0;
   }
 
   const ForceBasis basis;
   const double dt;
-  const Motion motion;
   Regression regression;
   ForceGroups there{};  // those that have any terms
 };
@@ -514,6 +393,7 @@ Index ForceRegression::rows() const { return measured_->regression.rows(); }
 Index ForceRegression::enough() const { return 4 * static_cast<Index>(measured_->basis.size()); }
 
 ForceGroups ForceRegression::needed() {
+  if (rows() < enough()) return {};
   measured_->regression.fit(measured_->there);
   return needed_groups(measured_->regression, measured_->there);
 }
@@ -555,13 +435,12 @@ ForceFit ForceRegression::result(const ForceGroups& groups) const {
     out.law.memory = -measured_->dt / std::log(memory.rho);
   }
   out.covariance = r.covariance();
-  out.condition = r.condition();
   return out;
 }
 
 ForceFit fit_forces(const Tracks& tracks, const ForceBasis& basis) {
   ForceRegression regression(tracks, basis);
-  return regression.fit(regression.rows() < regression.enough() ? ForceGroups{} : regression.needed());
+  return regression.fit(regression.needed());
 }
 
 double ForceFit::se(ForceGroup group, std::size_t k) const {
@@ -569,13 +448,19 @@ double ForceFit::se(ForceGroup group, std::size_t k) const {
   return std::sqrt(covariance(c, c));
 }
 
+// What nobody saw does not spoil the errors of the rest.
+MatrixXd ForceFit::known() const { return covariance.array().isFinite().select(covariance.array(), 0.0).matrix(); }
+
 double ForceFit::kernel_se(ForceGroup group, double distance) const {
   const auto [first, weight, next] = law.basis.hat(distance);
   VectorXd w = VectorXd::Zero(covariance.rows());
   const auto c = static_cast<Index>(law.basis.first(group) + first);
-  if (weight != 0) w[c] = weight;
+  if (weight == 0 && next == 0) return 0;
+  if (weight != 0 && !std::isfinite(covariance(c, c))) return kUndefined;
+  if (next > 0 && !std::isfinite(covariance(c + 1, c + 1))) return kUndefined;
+  w[c] = weight;
   if (next > 0) w[c + 1] = next;
-  return std::sqrt(w.dot(covariance * w));
+  return std::sqrt(w.dot(known() * w));
 }
 
 double ForceFit::confinement_se(double distance) const {
@@ -584,7 +469,7 @@ double ForceFit::confinement_se(double distance) const {
   for (int axis = 0; axis < law.basis.dims; ++axis)
     w[static_cast<Index>(law.basis.first(ForceGroup::confinement)) + axis] = 1.0 / law.basis.dims;
   w[static_cast<Index>(law.basis.first(ForceGroup::hardening))] = d * d;
-  return std::sqrt(w.dot(covariance * w));
+  return std::sqrt(w.dot(known() * w));
 }
 
 double ForceFit::drag_se(double speed) const {
@@ -594,7 +479,7 @@ double ForceFit::drag_se(double speed) const {
   w[static_cast<Index>(law.basis.first(ForceGroup::drag))] = 1;
   w[c] = s;
   w[c + 1] = s * s;
-  return std::sqrt(w.dot(covariance * w));
+  return std::sqrt(w.dot(known() * w));
 }
 
 int ForceFit::terms() const {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "libswarm/force_law.h"
+#include "libtrack/tracks.h"
 
 namespace swarmfit {
 
@@ -17,9 +18,8 @@ using ForceGroups = std::array<bool, kForceGroups>;  // which are in a law
 struct ForceFit {
   ForceLaw law;                          // NaN coefficients if there is too little to see
   ForceGroups groups{};                  // that are in it
-  Eigen::MatrixXd covariance;            // of the coefficients; 0 for those that are not in it
+  Eigen::MatrixXd covariance;            // of the coefficients; 0 for those that are not in it, NaN for those that no row can tell
   std::array<double, kForceGroups> p{};  // of each group that is in it: could all its coefficients be 0? NaN: it is not
-  double condition = 0;                  // of the normal equations, columns of unit length: ratio of pivots
   Index rows = 0;                        // accelerations that were used
 
   double se(ForceGroup group, std::size_t k = 0) const;
@@ -27,10 +27,12 @@ struct ForceFit {
   double confinement_se(double distance) const;
   double kernel_se(ForceGroup group, double distance) const;
   int terms() const;  // coefficients that are in it
+
+ private:
+  Eigen::MatrixXd known() const;
 };
 
-// Symmetric differences, x̄ = (x_- + x + x_+) / 3, v = (x_+ - x_-) / 2 dt, a = (x_+ - 2x + x_-) / dt², within unbroken runs. With noise
-// that remembers by rho from frame to frame,
+// Symmetric differences (libswarm/force_design.h). With noise that remembers by rho from frame to frame,
 //
 //   a_t - rho a_{t-1} = theta · (c_t - rho c_{t-1}) + new noise,
 //
@@ -42,7 +44,7 @@ struct ForceFit {
 //
 //   sigma² = 6 / (11 dt³) (2 Var D + 3 Cov(D_t, D_t+1)),  D = a dt²
 //
-// Errors are those of a sandwich over pieces of tracks.
+// Errors are those of a sandwich over pieces of tracks; tests are Hotelling's, as there may be few of them.
 class ForceRegression {
  public:
   ForceRegression(const Tracks& tracks, const ForceBasis& basis);
@@ -51,8 +53,8 @@ class ForceRegression {
   Index rows() const;    // accelerations that have instruments
   Index enough() const;  // to fit at all: four for every coefficient
 
-  // Drag and confinement, and beside them exactly those groups whose coefficients are not all 0 at p < .05 / 7 (Wald): they come in and go
-  // out one by one. A confinement to the middle of a group is nearly a force between pairs; the one with fewer coefficients comes first.
+  // Drag and confinement, which are always in, and beside them those groups whose coefficients are not all 0 at p < .05 / 5 (Wald, with the
+  // memory of all groups together): they come in and go out one by one. None if there are fewer rows than enough.
   ForceGroups needed();
 
   ForceFit fit(const ForceGroups& groups);    // with the memory of the noise that goes with them

@@ -2,6 +2,7 @@
 #include "fit/compare/force_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "libeval/robust.h"
 #include "libeval/value_spread.h"
@@ -53,9 +54,12 @@ CurvesAndErrors curves(const ForceBasis& basis, const ForceGrid& grid, const For
   out.se.drag = along(grid.speeds, [&](double v) { return known + alone.drag_se(v); });
   out.value.confinement = along(grid.distances, [&](double r) { return known + alone.law.confinement(r); });
   out.se.confinement = along(grid.distances, [&](double r) { return known + alone.confinement_se(r); });
-  out.value.attraction = along(grid.pairs, [&](double r) { return known + pair.law.kernel(ForceGroup::pair, r); });
+  out.value.attraction =
+      along(grid.pairs, [&](double r) { return known + 0 * pair.kernel_se(ForceGroup::pair, r) + pair.law.kernel(ForceGroup::pair, r); });
   out.se.attraction = along(grid.pairs, [&](double r) { return known + pair.kernel_se(ForceGroup::pair, r); });
-  out.value.alignment = along(grid.pairs, [&](double r) { return known + alignment.law.kernel(ForceGroup::alignment, r); });
+  out.value.alignment = along(grid.pairs, [&](double r) {
+    return known + 0 * alignment.kernel_se(ForceGroup::alignment, r) + alignment.law.kernel(ForceGroup::alignment, r);
+  });
   out.se.alignment = along(grid.pairs, [&](double r) { return known + alignment.kernel_se(ForceGroup::alignment, r); });
   const ForceLaw& law = alone.law;
   out.value.noise = {rms(law.white, basis.dims) + known, rms(law.coloured, basis.dims) + known, law.memory + known};
@@ -69,12 +73,13 @@ CurvesAndErrors curves(const ForceBasis& basis, const ForceGrid& grid, const For
 ForceView::ForceView(const Tracks& recording) : basis_(force_basis(recording)) {
   ForceRegression regression(recording, basis_);
   facts_.grid = grid_of(basis_);
-  if (regression.rows() >= regression.enough()) needed_ = regression.needed();
+  needed_ = regression.needed();
   const CurvesAndErrors seen = curves(basis_, facts_.grid, needed_, regression);
   facts_.recording = seen.value;
   facts_.se = seen.se;
   for (std::size_t g = 0; g < kForceGroups; ++g)
-    if (needed_[g]) facts_.needed.push_back(to_string(static_cast<ForceGroup>(g)));
+    if (const auto group = static_cast<ForceGroup>(g); needed_[g] && group != ForceGroup::drag && group != ForceGroup::confinement)
+      facts_.needed.push_back(to_string(group));
   facts_.attraction_p = seen.attraction_p;
   facts_.alignment_p = seen.alignment_p;
 }

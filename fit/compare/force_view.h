@@ -28,8 +28,8 @@ class ForceView {
 // to see.
 std::vector<GroupCurve> force_curves(const Tracks& recording);
 
-// Median and robust standard deviation value by value, over those that are finite: a simulation in which the forces drown in its noise does
-// not count. NaN where there are none.
+// Median and robust standard deviation value by value, over those that are finite: runs that blew up or show too little do not
+// count. NaN where there are none.
 ForceSpread force_spread(std::span<const ForceCurves> all);
 
 }  // namespace swarmfit

@@ -29,7 +29,7 @@ inline auto fields(ForceCurves& c) { return std::tie(c.drag, c.confinement, c.at
 struct ForceFacts {
   ForceGrid grid;
   ForceCurves recording, se;                     // standard errors
-  std::vector<std::string> needed;               // groups of terms that the recording needs, in words
+  std::vector<std::string> needed;               // groups of terms that the recording needs beside drag and confinement, in words
   double attraction_p = NAN, alignment_p = NAN;  // could there be none, beside what is needed?
 };
 

@@ -9,7 +9,8 @@
 
 namespace swarmfit {
 
-// A curve with standard errors by the jackknife over eight blocks of time (NaN where a block cannot be left out).
+// A curve with standard errors: by the jackknife over eight blocks of time (NaN where a block cannot be left out) unless its maker says
+// otherwise.
 struct GroupCurve {
   std::string key, name;         // in files, in words
   std::string x_name;            // "distance", "time"

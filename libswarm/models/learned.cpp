@@ -16,13 +16,14 @@
 // that the recording does not need are left out; beyond the speeds, distances and pairs that it shows nothing is extrapolated. The
 // parameters multiply what the regression found, which is 1: they repair what it misses at the recording's frame rate.
 //
-// Agents enter with an eta drawn from the stationary distribution given their place and velocity, as in langevin, with the drag at their
-// speed.
+// Agents enter with an eta drawn from the stationary distribution given their place and velocity, with the drag at their speed and the
+// stiffness at their place.
 //
 // It is made of the recording: judge it on what it did not learn from (--holdout yes).
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <memory>
+#include <vector>
 
 #include "libswarm/force_regression.h"
 #include "libswarm/model.h"
@@ -51,8 +52,9 @@ class Learned : public Model {
     const ForceFit fit = fit_forces(*setup.reference, force_basis(*setup.reference));
     law_ = fit.law;
     if (!law_.coefficients.allFinite())
-      throw InputError(fmt::format("learned: {} accelerations of the recording have what is known four frames before; expected at least {}",
-                                   fit.rows, 4 * law_.basis.size()));
+      throw InputError(
+          fmt::format("learned: {} accelerations of the recording have a position at each of the five frames before; too few for {} terms",
+                      fit.rows, law_.basis.size()));
     if (kernel(ForceGroup::pair) || kernel(ForceGroup::alignment)) reach_ = law_.basis.knots.back();
   }
 
@@ -60,16 +62,23 @@ class Learned : public Model {
   std::unique_ptr<Workspace> workspace(const World&, const Rng&) const override { return std::make_unique<Buffers>(); }
 
   void enter(State& state, Index first, const World& world, const StepContext& c) const override {
-    const double a = law_.memory > 0 ? 1 / (c.p[kMemory] * law_.memory) : 0;
+    if (law_.memory <= 0) return;
+    const double a = 1 / (c.p[kMemory] * law_.memory);
     for (Index i = first; i < state.size(); ++i) {
       const Array3d x = world.bounds.separation(law_.basis.centre, state.pos.row(i).transpose()), v = state.vel.row(i).transpose();
       const double g = std::max(0.0, c.p[kDrag] * law_.drag(std::sqrt(v.square().sum())));
       const double k = std::max(0.0, c.p[kConfinement] * law_.confinement(std::sqrt(x.square().sum())));
-      const double on_x = a > 0 ? k * g / (a + g) : 0, explained = a > 0 ? (g * a + on_x) / (k + a * g + a * a) : 0;
-      const Array3d sd = c.p[kNoise] * law_.coloured * std::sqrt(std::max(0.0, 1 - explained));
-      const Array3d eta = (a > 0 ? Array3d(g * v + on_x * x) : Array3d::Zero()) +
-                          sd * three_normals(c.rng, Stream::hidden, c.tick, state.id[static_cast<std::size_t>(i)]);
-      state.own.row(i) = (a > 0 ? flat(eta) : Array3d::Zero()).transpose();
+      const Array3d normal = three_normals(c.rng, Stream::hidden, c.tick, state.id[static_cast<std::size_t>(i)]);
+      for (int axis = 0; axis < dims_; ++axis) {
+        const double sd = c.p[kNoise] * law_.coloured[axis], white = c.p[kNoise] * law_.white[axis];
+        if (sd <= 0) continue;
+        // Stationary moments: <v eta> = s a, <x eta> = s, <vv> = (s a + w) / g, <xx> = (s (a + g) + w) / (g k) with half the white
+        // variance, w.
+        const double s = sd * sd / (k + a * g + a * a), w = 0.5 * white * white;
+        const double on_v = g * s * a / (s * a + w), on_x = g * k * s / (s * (a + g) + w);
+        const double rest = std::max(0.0, sd * sd - on_v * s * a - on_x * s);
+        state.own(i, axis) = on_v * v[axis] + on_x * x[axis] + std::sqrt(rest) * normal[axis];
+      }
     }
   }
 

@@ -17,7 +17,7 @@ constexpr double kWidest = 2;     // standard deviations of the band
 constexpr double kBeyond = 3;
 using Values = std::vector<double>;
 
-// Mean and standard deviation, or error, of what is drawn.
+// Mean or median, and standard deviation or error, of what is drawn.
 struct Shown {
   const Values* mean = nullptr;
   const Values* sd = nullptr;  // null: there is none

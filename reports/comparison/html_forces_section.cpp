@@ -12,9 +12,10 @@
 namespace swarmfit::page {
 namespace {
 
-// "The recording needs drag, confinement and forces between pairs. ..."
 std::string what_is_needed(const ForceFacts& f) {
-  std::string out = fmt::format("The accelerations of the recording need these terms: {}.", fmt::join(f.needed, ", "));
+  std::string out = "Drag and confinement are always fitted. ";
+  out += f.needed.empty() ? "The accelerations of the recording need nothing else."
+                          : fmt::format("The accelerations of the recording need besides: {} (p ≤ 0.01).", fmt::join(f.needed, ", "));
   const auto test = [&](const char* what, double p) {
     if (std::isfinite(p)) out += fmt::format(" Test that pairs {}: p = {}.", what, rounded(p, 2));
   };

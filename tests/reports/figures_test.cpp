@@ -201,7 +201,7 @@ Comparison with_pictures() {
   c.recording.pictures = {grid, pictures(c.film, grid), timeline(c.film)};
   const std::vector<double> up{0, 1, 2}, some{0.3, 0.2, 0.25}, error{0.1, 0.1, 0.1}, unknown(3, NAN);
   const ForceCurves curves{some, some, up, some, {1, 2, 3}}, errors{error, error, error, unknown, {}};
-  c.recording.forces = {{up, up, up}, curves, errors, {"drag", "confinement"}, 0.03, 0.5};
+  c.recording.forces = {{up, up, up}, curves, errors, {}, 0.03, 0.5};
   for (ModelFit& r : c.models) r.likeness.forces = {curves, errors};
   for (ModelFit& r : c.models) r.likeness.pictures = picture_spread({pictures(r.film, grid), pictures(c.film, grid)});
   return c;
@@ -253,7 +253,7 @@ TEST(Pictures, WhatDoesNotVaryIsDrawn) {
 TEST(Pictures, ForcesAreSaidAndTabulated) {
   const Comparison c = with_pictures();
   EXPECT_THAT(page::forces(c).text,
-              AllOf(HasSubstr("need these terms: drag, confinement."), HasSubstr("nor repel each other: p = 0.030."), HasSubstr("<svg")));
+              AllOf(HasSubstr("need nothing else."), HasSubstr("nor repel each other: p = 0.030."), HasSubstr("<svg")));
   EXPECT_EQ(page::forces(sample_comparison()).text, "");
   const std::string csv = forces_csv(c);
   EXPECT_THAT(csv, testing::StartsWith("curve,model,x,value,sd\ndrag,recording,0,0.3,0.1\n"));
