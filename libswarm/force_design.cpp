@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Array3d;
 
-constexpr Index kMostRows = 40000;     // more say nothing new
-constexpr Index kWindows = 8;          // of a long recording
+constexpr Index kMostRows = 40000;      // more say nothing new
+constexpr Index kWindows = 8;           // of a long recording
 constexpr Index kShortestWindow = 200;  // frames: long against any memory of noise that can be told
 
 // Which rows become equations.
@@ -27,7 +27,8 @@ class Sample {
     length_ = std::max<Index>(1, used / windows_);
     every_ = static_cast<std::uint32_t>(std::max(1.0, std::ceil(static_cast<double>(used) * per_frame / kMostRows)));
   }
-  bool frame(Index number) const { return windows_ == 0 || (number % part_ < length_ && number < windows_ * part_); }  // the n-th that there is
+  // The n-th frame in which there is anybody.
+  bool frame(Index n) const { return windows_ == 0 || (n % part_ < length_ && n < windows_ * part_); }
   bool track(std::uint32_t number) const { return number % every_ == 0; }
 
  private:

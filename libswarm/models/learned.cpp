@@ -20,6 +20,8 @@
 // stiffness at their place.
 //
 // It is made of the recording: judge it on what it did not learn from (--holdout yes).
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -122,9 +124,9 @@ class Learned : public Model {
     Array3d pairs = Array3d::Zero();
     c.near.visit(i, [&](Index j, const Array3d& offset, double r) {
       if (r <= 0) return;
-      const auto [first, weight, further] = law_.basis.hat(r);
+      const ForceBasis::Hat hat = law_.basis.hat(r);
       const auto at = [&](ForceGroup group) {
-        return weight * law_.at(group, first) + (further > 0 ? further * law_.at(group, first + 1) : 0);
+        return hat.weight * law_.at(group, hat.first) + (hat.next > 0 ? hat.next * law_.at(group, hat.first + 1) : 0);
       };
       pairs += at(ForceGroup::pair) / r * offset + at(ForceGroup::alignment) * (now.vel.row(j).transpose() - v);
     });
