@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "libtrack/tracks.h"
+
 namespace swarmfit {
 
 // What a law is made of: terms that are in it or out of it together.
@@ -41,6 +43,9 @@ struct ForceBasis {
   };
   Hat hat(double distance) const;
 };
+
+// Terms for this recording. Kernels have knots at quantiles of the distances of pairs; fewer than two individuals, no kernels.
+ForceBasis force_basis(const Tracks& recording);
 
 struct ForceLaw {
   ForceBasis basis;

@@ -26,8 +26,6 @@ constexpr Index kLag = 4;        // frames between a force and its instruments
 constexpr Index kFirstSeen = 3;  // autocovariance without localisation error, in frames
 constexpr Index kLastSeen = 40;
 constexpr std::size_t kFewestSeen = 4, kSureToBeSeen = 15;
-constexpr double kQuantiles[] = {0.02, 0.1, 0.25, 0.45, 0.7, 0.98};  // of distances of pairs, for knots
-constexpr double kCommon = 0.99;                                     // of speeds and distances
 constexpr double kAlpha = 0.05;
 constexpr double kFewestPieces = 5;
 constexpr double kSigmas = 4;                 // of chance, for memory
@@ -36,31 +34,6 @@ constexpr double kLongest = 60;               // memory, in frames
 constexpr int kMemories = 24, kHalvings = 8;  // that are tried
 constexpr double kDoubled = 2, kAgrees = 0.05;
 constexpr double kBartlett = 0.61;  // variance of a mean of three autocovariances where neighbours correlate by a quarter
-
-double at_quantile(std::vector<double> values, double q) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-Array3d place(const Tracks& tracks, Index row) { return tracks.pos().row(row).transpose(); }
-
-// Every how many frames pairs are looked at.
-std::size_t stride(const Tracks& tracks) { return std::max<std::size_t>(1, tracks.frames().size() / 100); }
-
-std::vector<double> pair_distances(const Tracks& tracks) {
-  std::vector<double> out;
-  for (std::size_t f = 0; f < tracks.frames().size(); f += stride(tracks)) {
-    const FrameRange& frame = tracks.frames()[f];
-    const Index some = std::max<Index>(1, frame.count / 100);
-    for (Index i = 0; i < frame.count; i += some)
-      for (Index j = i + 1; j < frame.count; ++j) {
-        const double d = std::sqrt((place(tracks, frame.first + i) - place(tracks, frame.first + j)).square().sum());
-        if (d > 0) out.push_back(d);
-      }
-  }
-  return out;
-}
 
 // Sums that the regression needs, for any memory of the noise.
 struct Moments {
@@ -354,26 +327,6 @@ ForceGroups needed_groups(Regression& regression, const ForceGroups& there) {
 
 }  // namespace
 
-ForceBasis force_basis(const Tracks& recording) {
-  ForceBasis out;
-  out.dims = recording.dims();
-  for (Index row = 0; row < recording.rows(); ++row) out.centre += place(recording, row);
-  if (recording.rows() > 0) out.centre /= static_cast<double>(recording.rows());
-  std::vector<double> speeds, distances;
-  for (Index row = 0; row < recording.rows(); ++row) {
-    distances.push_back(std::sqrt((place(recording, row) - out.centre).square().sum()));
-    const Index next = recording.next()[static_cast<std::size_t>(row)];
-    if (next >= 0) speeds.push_back(std::sqrt((place(recording, next) - place(recording, row)).square().sum()) / recording.dt());
-  }
-  if (!speeds.empty()) out.top_speed = at_quantile(std::move(speeds), kCommon);
-  if (!distances.empty()) out.reach = at_quantile(std::move(distances), kCommon);
-  if (const auto pairs = pair_distances(recording); !pairs.empty())
-    for (const double q : kQuantiles)
-      if (const double knot = at_quantile(pairs, q); out.knots.empty() || knot > out.knots.back()) out.knots.push_back(knot);
-  if (out.knots.size() < 2) out.knots.clear();
-  return out;
-}
-
 // What is measured once, and fitted again and again.
 struct ForceRegression::Measured {
   Measured(const Tracks& tracks, const ForceBasis& of) : basis(of), dt(tracks.dt()), regression(tracks, basis) {
@@ -441,51 +394,6 @@ ForceFit ForceRegression::result(const ForceGroups& groups) const {
 ForceFit fit_forces(const Tracks& tracks, const ForceBasis& basis) {
   ForceRegression regression(tracks, basis);
   return regression.fit(regression.needed());
-}
-
-double ForceFit::se(ForceGroup group, std::size_t k) const {
-  const auto c = static_cast<Index>(law.basis.first(group) + k);
-  return std::sqrt(covariance(c, c));
-}
-
-// What nobody saw does not spoil the errors of the rest.
-MatrixXd ForceFit::known() const { return covariance.array().isFinite().select(covariance.array(), 0.0).matrix(); }
-
-double ForceFit::kernel_se(ForceGroup group, double distance) const {
-  const auto [first, weight, next] = law.basis.hat(distance);
-  VectorXd w = VectorXd::Zero(covariance.rows());
-  const auto c = static_cast<Index>(law.basis.first(group) + first);
-  if (weight == 0 && next == 0) return 0;
-  if (weight != 0 && !std::isfinite(covariance(c, c))) return kUndefined;
-  if (next > 0 && !std::isfinite(covariance(c + 1, c + 1))) return kUndefined;
-  w[c] = weight;
-  if (next > 0) w[c + 1] = next;
-  return std::sqrt(w.dot(known() * w));
-}
-
-double ForceFit::confinement_se(double distance) const {
-  const double d = std::min(distance, law.basis.reach);
-  VectorXd w = VectorXd::Zero(covariance.rows());
-  for (int axis = 0; axis < law.basis.dims; ++axis)
-    w[static_cast<Index>(law.basis.first(ForceGroup::confinement)) + axis] = 1.0 / law.basis.dims;
-  w[static_cast<Index>(law.basis.first(ForceGroup::hardening))] = d * d;
-  return std::sqrt(w.dot(known() * w));
-}
-
-double ForceFit::drag_se(double speed) const {
-  const double s = std::min(speed, law.basis.top_speed);
-  VectorXd w = VectorXd::Zero(covariance.rows());
-  const auto c = static_cast<Index>(law.basis.first(ForceGroup::speed_drag));
-  w[static_cast<Index>(law.basis.first(ForceGroup::drag))] = 1;
-  w[c] = s;
-  w[c + 1] = s * s;
-  return std::sqrt(w.dot(known() * w));
-}
-
-int ForceFit::terms() const {
-  std::size_t sum = 0;
-  for (std::size_t g = 0; g < kForceGroups; ++g) sum += groups[g] ? law.basis.count(static_cast<ForceGroup>(g)) : 0;
-  return static_cast<int>(sum);
 }
 
 }  // namespace swarmfit

@@ -2,35 +2,12 @@
 // The force law that a recording shows, by regression of accelerations: no search, no simulation.
 #pragma once
 
-#include <array>
 #include <memory>
 
-#include "libswarm/force_law.h"
+#include "libswarm/force_fit.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
-
-// Terms for this recording. Kernels have knots at quantiles of the distances of pairs; fewer than two individuals, no kernels.
-ForceBasis force_basis(const Tracks& recording);
-
-using ForceGroups = std::array<bool, kForceGroups>;  // which are in a law
-
-struct ForceFit {
-  ForceLaw law;                          // NaN coefficients if there is too little to see
-  ForceGroups groups{};                  // that are in it
-  Eigen::MatrixXd covariance;            // of the coefficients; 0 for those that are not in it, NaN for those that no row can tell
-  std::array<double, kForceGroups> p{};  // of each group that is in it: could all its coefficients be 0? NaN: it is not
-  Index rows = 0;                        // accelerations that were used
-
-  double se(ForceGroup group, std::size_t k = 0) const;
-  double drag_se(double speed) const;
-  double confinement_se(double distance) const;
-  double kernel_se(ForceGroup group, double distance) const;
-  int terms() const;  // coefficients that are in it
-
- private:
-  Eigen::MatrixXd known() const;
-};
 
 // Symmetric differences (libswarm/force_design.h). With noise that remembers by rho from frame to frame,
 //
