@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "libswarm/force_regression.h"
 
-#include <Eigen/QR>
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -12,6 +10,8 @@
 #include <vector>
 
 #include "libswarm/force_design.h"
+#include "libtrack/distributions.h"
+#include "libtrack/linear_algebra.h"
 
 namespace swarmfit {
 namespace {
@@ -106,9 +106,9 @@ class Regression {
     const MatrixXd covariance = covariance_.block(first, first, count, count);
     const auto many = static_cast<double>(count), pieces = static_cast<double>(pieces_);
     if (pieces < many + kFewestPieces) return kUndefined;
-    const double wald = theta.dot(covariance.completeOrthogonalDecomposition().solve(theta));
+    const double wald = theta.dot(least_squares(covariance, theta));
     if (!std::isfinite(wald)) return 1;
-    return cdf(complement(boost::math::fisher_f(many, pieces - many), std::max(0.0, wald) * (pieces - many) / (many * (pieces - 1))));
+    return fisher_f_tail(std::max(0.0, wald) * (pieces - many) / (many * (pieces - 1)), many, pieces - many);
   }
 
   // Strength of what is white, per axis.
@@ -149,7 +149,7 @@ class Regression {
     normal_ = s.cwiseInverse().asDiagonal() * normal_ * s.cwiseInverse().asDiagonal();
     const VectorXd right = s.cwiseInverse().asDiagonal() * VectorXd((moments_.a_now - memory_.rho * moments_.a_before)(columns_));
     theta_ = VectorXd::Zero(static_cast<Index>(basis_.size()));
-    if (n > 0) theta_(columns_) = s.cwiseInverse().asDiagonal() * VectorXd(normal_.completeOrthogonalDecomposition().solve(right));
+    if (n > 0) theta_(columns_) = s.cwiseInverse().asDiagonal() * least_squares(normal_, right);
     for (int axis = 0; axis < basis_.dims; ++axis)
       residuals_[static_cast<std::size_t>(axis)] = design_.acceleration(axis) - design_.terms(axis) * theta_;
   }
@@ -278,7 +278,7 @@ class Regression {
         ++pieces_;
       }
     if (pieces_ > 1) meat *= static_cast<double>(pieces_) / static_cast<double>(pieces_ - 1);
-    const MatrixXd inverse = normal_.completeOrthogonalDecomposition().pseudoInverse();
+    const MatrixXd inverse = pseudo_inverse(normal_);
     const MatrixXd scaled = s.cwiseInverse().asDiagonal() * (inverse * meat * inverse.transpose()) * s.cwiseInverse().asDiagonal();
     covariance_(columns_, columns_) = scaled;
     for (const Index c : unseen_) covariance_.row(c).setConstant(kUndefined), covariance_.col(c).setConstant(kUndefined);

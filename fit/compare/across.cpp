@@ -2,9 +2,10 @@
 #include "fit/compare/across.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <set>
+
+#include "libtrack/distributions.h"
 
 namespace swarmfit {
 namespace {
@@ -86,8 +87,7 @@ MeanOverRecordings mean_over_recordings(std::span<const double> values, double a
   if (moments.count == 0) return {};
   MeanOverRecordings out{moments.mean};
   if (moments.count < 2) return out;
-  const boost::math::students_t student(static_cast<double>(moments.count - 1));
-  const double half = boost::math::quantile(student, 1 - alpha / 2) * moments.standard_error();
+  const double half = student_t_above(alpha / 2, static_cast<double>(moments.count - 1)) * moments.standard_error();
   out.lower = out.mean - half;
   out.upper = out.mean + half;
   return out;

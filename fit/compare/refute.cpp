@@ -5,8 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+
+#include "libtrack/distributions.h"
 
 namespace swarmfit {
 namespace {
@@ -36,7 +37,7 @@ Scatter scatter(const std::vector<Panel>& runs, std::vector<double> Panel::*part
 bool differ(const Estimate& recording, const Scatter& model, double visible, double level) {
   const double difference = std::abs(recording.value - model.mean);
   if (!(model.runs > 1) || !(difference > visible)) return false;  // undefined numbers differ in nothing
-  const double t = boost::math::quantile(boost::math::complement(boost::math::students_t(model.runs - 1), level / 2));
+  const double t = student_t_above(level / 2, model.runs - 1);
   return difference > t * std::hypot(model.sd * std::sqrt(1 + 1 / model.runs), recording.se);
 }
 

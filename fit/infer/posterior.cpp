@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fit/infer/posterior.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +8,7 @@
 
 #include "fit/infer/ridge.h"
 #include "libeval/robust.h"
+#include "libtrack/linear_algebra.h"
 
 namespace swarmfit {
 namespace {
@@ -124,9 +124,8 @@ Learned learn(const Bank& bank, const Rows& rows, const Box& box, const VectorXd
   const MatrixXd residual = t - fit.held_out;
   MatrixXd covariance = residual.transpose() * residual / static_cast<double>(t.rows());
   covariance.diagonal().array() += kSingular;  // a model without chance leaves nothing open
-  MatrixXd offset = (fit.held_out - VectorXd::Ones(t.rows()) * fit.predicted.transpose()).transpose();
-  covariance.llt().matrixL().solveInPlace(offset);
-  Learned out{offset.transpose(), VectorXd(t.rows())};
+  const MatrixXd offset = (fit.held_out - VectorXd::Ones(t.rows()) * fit.predicted.transpose()).transpose();
+  Learned out{solve_lower(cholesky_factor(covariance), offset).transpose(), VectorXd(t.rows())};
   for (Index i = 0; i < t.rows(); ++i) {
     double square = 0;
     for (Index a = 0; a < t.cols(); ++a) square += out.statistics(i, a) * out.statistics(i, a);
@@ -179,9 +178,8 @@ Local local_regression(const Kept& kept, const MatrixXd& y) {
   design << VectorXd::Ones(y.rows()), kept.statistics;
   MatrixXd gram = design.transpose() * kept.weight.asDiagonal() * design;
   gram.diagonal() *= 1 + kSingular;
-  const Eigen::LDLT<MatrixXd> solver(gram);
   const MatrixXd moment = design.transpose() * kept.weight.asDiagonal() * y;
-  const MatrixXd coefficients = solver.solve(moment), hat = solver.solve(MatrixXd(design.transpose()));
+  const MatrixXd coefficients = solve_semidefinite(gram, moment), hat = solve_semidefinite(gram, design.transpose());
   Local out{coefficients.topRows(1), design * coefficients, MatrixXd(y.rows(), y.cols())};
   for (Index i = 0; i < y.rows(); ++i) {
     double leverage = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "fit/infer/ridge.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cassert>
 #include <cmath>
+
+#include "libtrack/linear_algebra.h"
 
 namespace swarmfit {
 namespace {
@@ -54,7 +54,7 @@ Fit fit(const Sums& s, const VectorXd& penalty) {
     MatrixXd ridged = gram;
     ridged.diagonal().array() += penalty[j];
     const VectorXd right = moment.col(j);
-    out.slopes.col(j) = ridged.llt().solve(right);
+    out.slopes.col(j) = solve_definite(ridged, right);
   }
   return out;
 }
@@ -64,9 +64,9 @@ VectorXd best_penalties(const MatrixXd& x, const MatrixXd& y, const Sums& s) {
   const VectorXd ones = VectorXd::Ones(x.rows());
   const MatrixXd from_mean = x - ones * (s.x / s.rows).transpose(), target = y - ones * (s.y / s.rows).transpose();
   const MatrixXd gram = s.xx - s.x * s.x.transpose() / s.rows;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
-  const VectorXd power = eigen.eigenvalues().cwiseMax(0.0);
-  const MatrixXd rotated = from_mean * eigen.eigenvectors(), squared = rotated.cwiseAbs2();
+  const SymmetricEigen eigen = symmetric_eigen(gram);
+  const VectorXd power = eigen.values.cwiseMax(0.0);
+  const MatrixXd rotated = from_mean * eigen.vectors, squared = rotated.cwiseAbs2();
   const MatrixXd moment = rotated.transpose() * target;
   const double largest = power.size() > 0 && power.maxCoeff() > 0 ? power.maxCoeff() : 1;
   VectorXd least = VectorXd::Constant(y.cols(), INFINITY), best = VectorXd::Constant(y.cols(), largest * kLargestPenalty);

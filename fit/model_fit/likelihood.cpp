@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fit/model_fit/likelihood.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +8,7 @@
 #include <numbers>
 
 #include "libswarm/centre.h"
+#include "libtrack/linear_algebra.h"
 
 namespace swarmfit {
 namespace {
@@ -231,7 +231,7 @@ std::optional<MaximumLikelihood> maximum_likelihood(const SearchSpace& space, co
   }
   if (!std::isfinite(most)) return {};
 
-  const Eigen::MatrixXd covariance = (-curvature(surface, best)).inverse();
+  const Eigen::MatrixXd covariance = inverse(-curvature(surface, best));
   const auto values = space.parameters(best.head(n));
   MaximumLikelihood out{most, {}, surface.error(best)};
   for (Index a = 0; a < n; ++a) {

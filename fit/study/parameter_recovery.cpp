@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -14,6 +13,7 @@
 #include "fit/infer/posterior_ranks.h"
 #include "fit/model_fit/parameter_posterior.h"
 #include "fit/store/checkpointed.h"
+#include "libtrack/distributions.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -119,12 +119,7 @@ ParameterCoverage coverage(const std::vector<ParameterCase>& cases, std::size_t 
 
 }  // namespace
 
-std::pair<int, int> coverage_band(int n, int tests) {
-  using Upwards = boost::math::policies::policy<boost::math::policies::discrete_quantile<boost::math::policies::integer_round_up>>;
-  const boost::math::binomial_distribution<double, Upwards> held(n, 0.95);
-  const double tail = 0.005 / tests;
-  return {static_cast<int>(quantile(held, tail)), static_cast<int>(quantile(held, 1 - tail))};
-}
+std::pair<int, int> coverage_band(int n, int tests) { return binomial_band(n, 0.95, 0.005 / tests); }
 
 ParameterRecovery recover_parameters(const RecoveryOptions& options, const OnParameterCase& on_case, const Runtime& runtime,
                                      const Part& part) {

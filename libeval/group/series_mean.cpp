@@ -2,12 +2,12 @@
 #include "libeval/group/series_mean.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "libeval/independent.h"
+#include "libtrack/distributions.h"
 
 namespace swarmfit {
 namespace {
@@ -46,7 +46,7 @@ void add_interval(std::span<const std::int64_t> frame, std::span<const double> v
     squares += off * off, ++filled;
   }
   if (filled < kFewestBlocks) return;
-  const double half = quantile(boost::math::students_t(filled - 1), 0.975) * std::sqrt(squares / (filled - 1) / filled);
+  const double half = student_t_above(0.025, filled - 1) * std::sqrt(squares / (filled - 1) / filled);
   out.lower = out.mean - half, out.upper = out.mean + half;
   out.blocks = static_cast<std::size_t>(filled);
 }
