@@ -131,6 +131,22 @@ Histogram histogram(const std::vector<double>& values, const ZScore& z, const Bi
   return h;
 }
 
+// Quartiles of what a histogram counts, in bins from its lower end, linear within a bin.
+std::array<double, 3> quartiles(const Histogram& h) {
+  std::array<double, 3> out{};
+  double below = 0, total = 0;
+  for (const std::uint64_t n : h.counts) total += static_cast<double>(n);
+  for (std::size_t i = 0, q = 0; i < h.counts.size() && q < 3; ++i) {
+    const auto here = static_cast<double>(h.counts[i]);
+    for (; q < 3 && below + here >= total * (static_cast<double>(q) + 1) / 4; ++q)
+      out[q] = static_cast<double>(i) + (here > 0 ? (total * (static_cast<double>(q) + 1) / 4 - below) / here : 0);
+    below += here;
+  }
+  return out;
+}
+
+double compressed(double difference) { return std::copysign(std::min(std::log1p(std::abs(difference)), kMostMisplaced), difference); }
+
 // Sum of absolute differences; NaN without samples.
 double l1_distance(const std::vector<double>& p, const std::vector<double>& q) {
   if (p.empty() || q.empty()) return kNaN;
@@ -215,6 +231,7 @@ Target::Target(const MetricSamples& recording, const Binning& binning)
       pdf_(columns_.size()),
       shift_(columns_.size()),
       scale_(columns_.size()),
+      quartiles_(columns_.size()),
       defined_(columns_.size()) {
   if (binning.bins < 1 || !(binning.lower < binning.upper) || !std::isfinite(binning.upper - binning.lower))
     throw std::invalid_argument("Binning: needs at least one bin and a finite interval");
@@ -236,6 +253,7 @@ Target::Target(const MetricSamples& recording, const Binning& binning)
     if (!defined_[m]) continue;
     own.histogram = histogram(values, z, binning);
     pdf_[m] = density(own.histogram, binning.lower, binning.upper);
+    quartiles_[m] = quartiles(own.histogram);
   }
 }
 
@@ -273,15 +291,32 @@ Densities Target::densities(const PerColumn<Distribution>& simulated) const {
   return out;
 }
 
+double Target::off_by(std::size_t column, const Moments& now) const {
+  return compressed((now.mean - recording_[column].moments.mean) / scale_[column]);
+}
+
 PerColumn<double> Target::misplacement(const PerColumn<Distribution>& simulated) const {
   PerColumn<double> off(simulated.size(), 0.0);
   if (binning_.normalisation == Normalisation::separate) return off;
-  for (std::size_t m = 0; m < simulated.size(); ++m) {
-    const Moments& now = simulated[m].moments;
-    if (!defined_[m] || now.count == 0) continue;
-    off[m] = std::min(std::log1p(std::abs(now.mean - recording_[m].moments.mean) / scale_[m]), kMostMisplaced);
-  }
+  for (std::size_t m = 0; m < simulated.size(); ++m)
+    if (defined_[m] && simulated[m].moments.count > 0) off[m] = std::abs(off_by(m, simulated[m].moments));
   return off;
+}
+
+Differences Target::differences(const PerColumn<Distribution>& simulated) const {
+  Differences out(simulated.size() * kDifferences, 0.0);
+  for (std::size_t m = 0; m < simulated.size(); ++m) {
+    const Moments &now = simulated[m].moments, &then = recording_[m].moments;
+    if (!defined_[m] || simulated[m].histogram.samples == 0) continue;
+    double* at = &out[m * kDifferences];
+    const auto places = quartiles(simulated[m].histogram);
+    for (std::size_t q = 0; q < 3; ++q)
+      at[q] = compressed((places[q] - quartiles_[m][q]) * (binning_.upper - binning_.lower) / binning_.bins);
+    if (binning_.normalisation == Normalisation::separate || now.count == 0) continue;
+    at[3] = off_by(m, now);
+    at[4] = std::log((now.sd() + kSpreadFloor * scale_[m]) / (then.sd() + kSpreadFloor * scale_[m]));
+  }
+  return out;
 }
 
 Target::Axis Target::axis(std::size_t column) const {

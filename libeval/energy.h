@@ -3,6 +3,7 @@
 // (Ren et al. 2016, Par-Est steps 2-4, Eq 7).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -63,6 +64,10 @@ using Densities = PerColumn<std::vector<double>>;  // discrete PDFs; empty: no s
 
 inline constexpr double kUnseen = 1.0 / 200;  // of the worst energy: differences that no ranking sees
 
+// Signed differences of a simulated set from the recording: kDifferences numbers per column, column by column.
+using Differences = std::vector<double>;
+inline constexpr std::size_t kDifferences = 5;
+
 inline constexpr double kMostMisplaced = 7;  // Target::misplacement: about 1100 standard deviations off
 
 // The recording, prepared once; scores any number of simulations. Immutable, shared by threads.
@@ -89,6 +94,10 @@ class Target {
   // overlap all have the same energy, however far apart they are; this tells a search which way is nearer. 0 where energies are NaN, and
   // throughout under Normalisation::separate, where means do not count.
   PerColumn<double> misplacement(const PerColumn<Distribution>& simulated) const;
+  // In which direction a set differs, where energies say only how much: differences x of the three quartiles and of the mean, in units of
+  // the z-score's scale and as ±ln(1 + |x|), and the logarithm of the ratio of standard deviations. 0 where energies are NaN; the last
+  // two also under Normalisation::separate, where means and deviations do not count.
+  Differences differences(const PerColumn<Distribution>& simulated) const;
 
   const std::vector<Column>& columns() const { return columns_; }
   const PerColumn<Distribution>& recording() const { return recording_; }
@@ -102,11 +111,14 @@ class Target {
   double worst() const;                                                // 2M/(u2-u1): the energy of disjoint distributions
 
  private:
+  double off_by(std::size_t column, const Moments& now) const;  // signed misplacement
+
   Binning binning_;
   std::vector<Column> columns_;
   PerColumn<Distribution> recording_;
   PerColumn<std::vector<double>> pdf_;
-  PerColumn<double> shift_, scale_;  // z = (x - shift) / scale
+  PerColumn<double> shift_, scale_;             // z = (x - shift) / scale
+  PerColumn<std::array<double, 3>> quartiles_;  // of the recording, in bins
   PerColumn<bool> defined_;
 };
 

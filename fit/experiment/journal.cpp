@@ -7,7 +7,7 @@ namespace swarmfit {
 namespace {
 
 // `first` and `distributions` are not kept.
-auto kept_fields(Outcome& o) { return std::tie(o.raw, o.guided, o.replicates, o.failed, o.count); }
+auto kept_fields(Outcome& o) { return std::tie(o.raw, o.guided, o.replicates, o.differences, o.failed, o.count); }
 
 std::string encoded(Outcome o) {
   std::string out;

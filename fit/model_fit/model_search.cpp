@@ -152,7 +152,7 @@ std::int64_t ModelSearch::planned(int number) const {
 std::vector<Evaluated> ModelSearch::leaders(const Round& round, const Weighting& weighting, std::size_t most, double apart,
                                             Energies Archived::*by) {
   std::vector<Evaluated> all;
-  for (const auto& a : round.archive) all.push_back({a.x, cost_of(a.*by, weighting)});
+  for (const auto& a : round.archive) all.push_back({a.x, cost_of(a.*by, weighting), parts_of(a.differences, weighting)});
   std::stable_sort(all.begin(), all.end(), [](const Evaluated& a, const Evaluated& b) { return a.cost < b.cost; });
   std::vector<Evaluated> chosen;
   for (const auto& candidate : all) {
@@ -168,7 +168,7 @@ void ModelSearch::keep(Round& round, const Point& x, const Outcome& outcome, int
   HistoryRow row{index_, pass, phase, {}, outcome.raw, replicates, outcome.failed};
   for (const auto p : space_.searched()) row.x.push_back(values[p]);
   history_.push_back(std::move(row));
-  if (round.complete(outcome)) round.archive.push_back({x, outcome.raw, outcome.guided, outcome.first});
+  if (round.complete(outcome)) round.archive.push_back({x, outcome.raw, outcome.guided, outcome.first, outcome.differences});
   simulations_ += replicates;
   failed_ += outcome.failed;
 }
@@ -187,6 +187,7 @@ Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const
   }
   Race race(round, space_, objective_, weighting);
   const auto cost = [&](const std::vector<Point>& points) { return race.cost(points); };
+  if (!plan_.evolution_only) options.evolution.parts = [&](const Point& x) { return parts_of(race.seen(x).differences, weighting); };
   options.evolution.race = [&](const auto& children, const auto& parents) { return race.against(children, parents); };
   const auto start = leaders(round, weighting, round.archive.size(), 0.0);
   Found found = swarmfit::search(space_.dimensions(), cost, options, rng_.derive(round.stream, static_cast<std::uint64_t>(pass)), start,

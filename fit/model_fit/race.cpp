@@ -12,6 +12,16 @@ double cost_of(const Energies& energies, const Weighting& weighting) {
   return std::isfinite(value) ? -value : std::numeric_limits<double>::infinity();
 }
 
+Eigen::VectorXd parts_of(const Differences& differences, const Weighting& weighting) {
+  Eigen::VectorXd parts(static_cast<Index>(differences.size()));
+  for (std::size_t k = 0; k < differences.size(); ++k) {
+    const std::size_t column = k / kDifferences;
+    const double p2 = weighting.p2[column];
+    parts[static_cast<Index>(k)] = p2 > 0 ? std::sqrt(weighting.weights[column] / p2) * differences[k] : 0;
+  }
+  return parts;
+}
+
 std::vector<Outcome> simulate(const Round& round, const std::vector<Point>& points, const SearchSpace& space, const Objective& objective,
                               const Objective::Worth& worth) {
   std::vector<std::vector<double>> candidates;

@@ -15,9 +15,13 @@ namespace swarmfit {
 // Cost of energies under a weighting: minus the score; +inf if it is undefined.
 double cost_of(const Energies& energies, const Weighting& weighting);
 
+// What a search minimises, in its parts: signed differences, each by the root of its column's weight.
+Eigen::VectorXd parts_of(const Differences& differences, const Weighting& weighting);
+
 struct Archived {
   Point x;
   Energies raw, guided, first;  // as in Outcome
+  Differences differences;
 };
 
 // Candidates whose energies can be compared, now and under later weightings.

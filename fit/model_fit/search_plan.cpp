@@ -14,7 +14,7 @@ namespace {
 
 const std::array<Budget, 3> kBudgets{{
     // name      search          selection     confirmation, final, passes, scout
-    {"quick", {24, 20, 2}, {10, 10, 6}, 24, 24, 3, {3, 160}},
+    {"quick", {24, 44, 2}, {10, 16, 6}, 24, 24, 3, {0, 160}},
     {"default", {40, 60, 3}, {16, 20, 12}, 48, 32, 6, {3, 360}},
     {"thorough", {80, 120, 5}, {40, 30, 24}, 64, 48, 10, {5, 360}},
 }};

@@ -28,6 +28,7 @@ constexpr int smallest_share = 5;                 // the population shrinks to o
 constexpr int least_population = 4;               // parent, p-best and two others
 constexpr int redraws = 4;                        // of a candidate that was tried before; then uniform in the cube
 constexpr int model_points = 3;                   // fitted points per coefficient of the quadratic
+constexpr int step_points = 3;                    // and of the linear model of a least-squares step
 
 // The random numbers of one candidate in one generation, one after the other.
 class Draws {
@@ -123,7 +124,7 @@ struct Record {
 struct Child {
   Point x;
   Setting setting{};
-  bool modelled = false;  // from the quadratic: teaches nothing about settings
+  bool modelled = false;  // from a model: teaches nothing about settings
 };
 
 class Evolution {
@@ -142,7 +143,8 @@ class Evolution {
   void shrink();
   std::vector<Child> breed() const;
   Child differential_child(int parent, Draws& draws) const;
-  std::optional<Point> modelled_child() const;
+  std::optional<Point> quadratic_child() const;
+  std::optional<Point> least_squares_child() const;
   bool tried(const Point& x, const std::vector<Child>& children) const;
   void select(std::vector<Child> children);
   void keep_replaced(Point parent, Draws& draws);
@@ -177,7 +179,9 @@ std::vector<double> Evolution::evaluate(const std::vector<Point>& points, const 
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isfinite(costs[i])) costs[i] = failed;
     visited_.push_back({points[i], costs[i]});
-    if (std::isfinite(costs[i])) known_.push_back(visited_.back());
+    if (!std::isfinite(costs[i])) continue;
+    if (options_.parts) visited_.back().parts = options_.parts(points[i]);
+    known_.push_back(visited_.back());
   }
   return costs;
 }
@@ -232,7 +236,14 @@ Child Evolution::differential_child(int parent, Draws& draws) const {
   return child;
 }
 
-std::optional<Point> Evolution::modelled_child() const {
+std::optional<Point> Evolution::least_squares_child() const {
+  if (!options_.parts || known_.empty()) return {};
+  const int few = dimensions_ + 1;
+  const int nearest = std::min(static_cast<int>(known_.size()), step_points * few);
+  return least_squares_minimum(known_, around_leaders(known_, std::min(nearest, 2 * few)), nearest);
+}
+
+std::optional<Point> Evolution::quadratic_child() const {
   const int coefficients = quadratic_coefficients(dimensions_);
   if (static_cast<int>(known_.size()) < model_points * coefficients) return {};
   const auto model = fit_quadratic(known_, around_leaders(known_, coefficients), model_points * coefficients);
@@ -240,13 +251,13 @@ std::optional<Point> Evolution::modelled_child() const {
   return model->minimum;
 }
 
-// One child per parent; the quadratic's takes the place of the worst parent's.
+// One child per parent; those of models take the places of the worst parents'.
 std::vector<Child> Evolution::breed() const {
   const auto count = static_cast<int>(std::min<std::int64_t>(size(), left()));
   std::vector<Child> children;
   for (int i = 0; i < count; ++i) {
-    if (i == size() - 1) {
-      const auto minimum = modelled_child();
+    if (i >= size() - 2) {
+      const auto minimum = i == size() - 1 ? quadratic_child() : least_squares_child();
       if (minimum && !tried(*minimum, children)) {
         children.push_back({*minimum, {}, true});
         continue;

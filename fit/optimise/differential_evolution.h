@@ -29,6 +29,7 @@ using RaceCost = std::function<std::vector<double>(const std::vector<Point>& chi
 struct Evaluated {
   Point x;
   double cost = 0;
+  Eigen::VectorXd parts{};  // what the cost is made of, if that is known: see EvolutionOptions::parts
 };
 
 // Why a search ended.
@@ -61,6 +62,9 @@ struct EvolutionOptions {
   std::int64_t max_evaluations = 0;
   // In place of BatchCost for all but the first population; none: BatchCost.
   RaceCost race = {};
+  // Signed numbers, equally many for every point, that are small where the cost is: of a point that has just been evaluated. With them
+  // a least-squares step can be tried; none: no such steps.
+  std::function<Eigen::VectorXd(const Point&)> parts = {};
 };
 
 // Told after every generation, the initial sample being the first; returning false interrupts the search.
@@ -96,7 +100,7 @@ SearchResult refine(const std::vector<Evaluated>& starts, const BatchCost& cost,
 struct SearchOptions {
   EvolutionOptions evolution;   // its planned evaluations or max_evaluations, whichever is less, is the budget of everything
   RefineOptions refine;         // its evaluations follow from the budget
-  double refine_share = 0.2;    // of the budget that the genetic algorithm leaves to the refinement, in [0, 1)
+  double refine_share = 0.05;   // of the budget that the genetic algorithm leaves to the refinement, in [0, 1)
   bool evolution_only = false;  // neither refinement nor response surface
 };
 

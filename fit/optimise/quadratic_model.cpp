@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "fit/optimise/quadratic_model.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+
+#include "libtrack/linear_algebra.h"
 
 namespace swarmfit {
 namespace {
@@ -15,9 +15,9 @@ namespace {
 // Minimum of g·z + zᵀHz/2 within |z| <= 1 (Moré and Sorensen 1983): (H + λ) z = -g with the least λ >= 0 that is positive definite and
 // keeps z inside.
 Point minimum_in_ball(const Eigen::VectorXd& g, const Eigen::MatrixXd& hessian) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian);
-  const Eigen::ArrayXd curvature = eigen.eigenvalues().array();
-  const Eigen::ArrayXd slope = (eigen.eigenvectors().transpose() * g).array();
+  const auto [values, vectors] = symmetric_eigen(hessian);
+  const Eigen::ArrayXd curvature = values.array();
+  const Eigen::ArrayXd slope = (vectors.transpose() * g).array();
   const auto step = [&](double lambda) -> Point { return (-slope / (curvature + lambda)).matrix(); };
 
   const double margin = 1e-12 * std::max(curvature.abs().maxCoeff(), slope.abs().maxCoeff());
@@ -29,7 +29,35 @@ Point minimum_in_ball(const Eigen::VectorXd& g, const Eigen::MatrixXd& hessian) 
     const double middle = (low + high) / 2;
     (step(middle).norm() > 1 ? low : high) = middle;
   }
-  return eigen.eigenvectors() * step(high);
+  return vectors * step(high);
+}
+
+// The nearest of a neighbourhood, in units in which the farthest of them is at distance 1: z = axes⁻¹ (x - centre) / radius.
+struct NearestPoints {
+  std::vector<int> which;
+  std::vector<Point> z;
+  double radius;
+};
+
+NearestPoints nearest_points(const std::vector<Evaluated>& points, const Neighbourhood& around, int nearest) {
+  struct Near {
+    double distance;
+    int index;
+    auto operator<=>(const Near&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads it
+  };
+  std::vector<Point> white(points.size());
+  std::vector<Near> near(points.size());
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    white[i] = around.axes.triangularView<Eigen::Lower>().solve(points[i].x - around.centre);
+    near[i] = {white[i].norm(), i};
+  }
+  std::partial_sort(near.begin(), near.begin() + nearest, near.end());
+  NearestPoints out{{}, {}, near[nearest - 1].distance};
+  for (int i = 0; i < nearest; ++i) {
+    out.which.push_back(near[i].index);
+    out.z.push_back(white[near[i].index] / out.radius);
+  }
+  return out;
 }
 
 // Design matrix: 1, z_a, z_a z_b (a <= b).
@@ -76,7 +104,7 @@ Neighbourhood around_leaders(const std::vector<Evaluated>& points, int leaders) 
   }
   // Keeps the ellipsoid from being flat when the leaders are few or lie in a plane.
   covariance.diagonal().array() += 1e-6 * covariance.trace() / static_cast<double>(d) + 1e-30;
-  around.axes = covariance.llt().matrixL();
+  around.axes = cholesky_factor(covariance);
   return around;
 }
 
@@ -85,37 +113,43 @@ std::optional<QuadraticModel> fit_quadratic(const std::vector<Evaluated>& points
   const int coefficients = quadratic_coefficients(static_cast<int>(d));
   if (nearest > static_cast<int>(points.size()) || nearest < coefficients + 2) return {};
 
-  struct Near {
-    double distance;
-    int index;
-    auto operator<=>(const Near&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads it
-  };
-  std::vector<Point> white(points.size());
-  std::vector<Near> near(points.size());
-  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-    white[i] = around.axes.triangularView<Eigen::Lower>().solve(points[i].x - around.centre);
-    near[i] = {white[i].norm(), i};
-  }
-  std::partial_sort(near.begin(), near.begin() + nearest, near.end());
-  const double radius = near[nearest - 1].distance;
+  const auto [which, z, radius] = nearest_points(points, around, nearest);
   if (!(radius > 0)) return {};
-
-  std::vector<Point> z;
   Eigen::VectorXd y(nearest);
-  for (int i = 0; i < nearest; ++i) {
-    z.push_back(white[near[i].index] / radius);
-    y[i] = points[near[i].index].cost;
-  }
+  for (int i = 0; i < nearest; ++i) y[i] = points[which[i]].cost;
   const double variance = (y.array() - y.mean()).square().sum() / (nearest - 1);
   if (!(variance > 0) || !std::isfinite(variance)) return {};
 
   const Eigen::MatrixXd design = design_matrix(z);
-  const Eigen::VectorXd solution = design.colPivHouseholderQr().solve(y);
+  const Eigen::VectorXd solution = least_squares(design, y);
   if (!solution.allFinite()) return {};
   const double residual_variance = (y - design * solution).squaredNorm() / (nearest - coefficients);
   const Point inside = minimum_in_ball(solution.segment(1, d), hessian_of(solution, d));
   const Point minimum = around.centre + around.axes * (radius * inside);
   return QuadraticModel{minimum.cwiseMax(0.0).cwiseMin(1.0), std::sqrt(residual_variance), 1 - residual_variance / variance, nearest};
+}
+
+std::optional<Point> least_squares_minimum(const std::vector<Evaluated>& points, const Neighbourhood& around, int nearest) {
+  std::vector<Evaluated> known;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(known), [](const Evaluated& e) { return e.parts.size() > 0; });
+  const Eigen::Index d = around.centre.size();
+  if (nearest > static_cast<int>(known.size()) || nearest < d + 2) return {};
+  const auto [which, z, radius] = nearest_points(known, around, nearest);
+  if (!(radius > 0)) return {};
+
+  Eigen::MatrixXd design(nearest, d + 1), parts(nearest, known.front().parts.size());
+  for (int i = 0; i < nearest; ++i) {
+    design.row(i) << 1, z[i].transpose();
+    parts.row(i) = known[which[i]].parts.transpose();
+  }
+  Eigen::MatrixXd gram = design.transpose() * design;
+  gram.diagonal() *= 1 + 1e-9;
+  const Eigen::MatrixXd moment = design.transpose() * parts, linear = solve_semidefinite(gram, moment);
+  if (!linear.allFinite()) return {};
+  const Eigen::MatrixXd slopes = linear.bottomRows(d);
+  const Point inside = minimum_in_ball(slopes * linear.row(0).transpose(), slopes * slopes.transpose());
+  const Point minimum = around.centre + around.axes * (radius * inside);
+  return Point(minimum.cwiseMax(0.0).cwiseMin(1.0));
 }
 
 std::optional<QuadraticModel> fit_widest_quadratic(const std::vector<Evaluated>& points, const Neighbourhood& around) {

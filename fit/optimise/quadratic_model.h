@@ -42,4 +42,10 @@ std::optional<QuadraticModel> fit_widest_quadratic(const std::vector<Evaluated>&
 // lucky one. One more candidate for a comparison on fresh random numbers.
 std::optional<QuadraticModel> response_surface(const std::vector<Evaluated>& points);
 
+// One step of Gauss and Newton without derivatives: every part is fitted by a linear function of the `nearest` points of the neighbourhood
+// that have parts, and the sum of their squares minimised within the distance of the farthest of these points. It sees which part calls
+// for which parameter, and needs d + 2 points where a quadratic needs a number that grows with d² (Cartis, Fiala, Marteau and Roberts
+// 2019, doi:10.1145/3338517). Nothing if there are fewer, or all are one point.
+std::optional<Point> least_squares_minimum(const std::vector<Evaluated>& points, const Neighbourhood& around, int nearest);
+
 }  // namespace swarmfit

@@ -276,6 +276,29 @@ TEST(Misplacement, SaysWhichOfTwoDisjointSimulationsIsNearer) {
   EXPECT_THAT(shape.misplacement(far), Each(0.0)) << "only the shape counts";
 }
 
+TEST(Differences, AreSignedAndZeroForTheRecordingItself) {
+  const auto spread = normals(1, 4000, 100, 10);
+  const Target target(all(spread), Binning::standard(Normalisation::reference));
+  EXPECT_THAT(target.differences(target.distributions(all(spread))), Each(0.0));
+  EXPECT_THAT(target.differences(target.distributions(MetricSamples())), Each(0.0)) << "nothing to say";
+  std::vector<double> lower = spread, wider = spread;
+  for (double& x : lower) x -= 20;
+  for (double& x : wider) x += x - 100;
+  const auto moved = target.differences(target.distributions(all(lower))), stretched = target.differences(target.distributions(all(wider)));
+  const std::size_t at = kSpeed * kDifferences;
+  const double two = std::log(3);  // 2 standard deviations
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(moved[at + k], -two, 0.03) << k;
+  EXPECT_NEAR(moved[at + 4], 0, 1e-9);
+  EXPECT_NEAR(stretched[at], -std::log(1.6745), 0.03);  // quartiles of normal numbers lie .6745 from the mean
+  EXPECT_NEAR(stretched[at + 1], 0, 0.03);
+  EXPECT_NEAR(stretched[at + 2], std::log(1.6745), 0.03);
+  EXPECT_NEAR(stretched[at + 4], std::log(2), 0.01);
+  const Target shape(all(spread), Binning::standard(Normalisation::separate));
+  const auto no_moments = shape.differences(shape.distributions(all(lower)));
+  EXPECT_EQ(no_moments[at + 3], 0);
+  EXPECT_EQ(no_moments[at + 4], 0);
+}
+
 TEST(Energy, ChecksTheNumberOfBins) {
   const auto x = all(normals(12, 50));
   EXPECT_THROW(Target(x, {}).energies(Target(x, {.bins = 50}).distributions(x)), std::invalid_argument);

@@ -104,6 +104,36 @@ TEST(QuadraticModel, PointsInAPlaneAreNoTrouble) {
   EXPECT_TRUE(model->minimum.allFinite());
 }
 
+// Parts that are linear in the parameters, so that one step is exact; and more of them than parameters.
+TEST(LeastSquares, OneStepSolvesLinearParts) {
+  const Point optimum = Eigen::Vector4d(0.45, 0.6, 0.5, 0.4);
+  const Eigen::MatrixXd slopes = normal_matrix(9, 4, 3);
+  auto points = sampled(sphere(4, 1), 10, Point::Constant(4, 0.5), 0.3);
+  for (auto& e : points) e.parts = slopes * (e.x - optimum);
+  const auto minimum = least_squares_minimum(points, ball(Point::Constant(4, 0.5)), 10);
+  ASSERT_TRUE(minimum);
+  EXPECT_LT((*minimum - optimum).norm(), 1e-8);
+}
+
+TEST(LeastSquares, TheStepStaysWhereItWasFitted) {
+  const Point centre = Point::Constant(2, 0.5), optimum = Eigen::Vector2d(0.9, 0.5);
+  auto points = sampled(sphere(2, 1), 12, centre, 0.1);
+  double radius = 0;
+  for (auto& e : points) e.parts = e.x - optimum, radius = std::max(radius, (e.x - centre).norm());
+  const auto minimum = least_squares_minimum(points, ball(centre), 12);
+  ASSERT_TRUE(minimum);
+  EXPECT_LT((*minimum - Eigen::Vector2d(0.5 + radius, 0.5)).norm(), 1e-6);
+}
+
+TEST(LeastSquares, NeedsPointsWithParts) {
+  auto points = sampled(sphere(2, 1), 8, Point::Constant(2, 0.5), 0.1);
+  EXPECT_FALSE(least_squares_minimum(points, ball(Point::Constant(2, 0.5)), 4));
+  for (std::size_t k = 0; k < 4; ++k) points[k].parts = points[k].x;
+  EXPECT_FALSE(least_squares_minimum(points, ball(Point::Constant(2, 0.5)), 5));
+  EXPECT_FALSE(least_squares_minimum(points, ball(Point::Constant(2, 0.5)), 3));
+  EXPECT_TRUE(least_squares_minimum(points, ball(Point::Constant(2, 0.5)), 4));
+}
+
 TEST(AroundLeaders, HasTheMeanAndCovarianceOfTheCheapest) {
   const auto f = sphere(2, 1);
   auto points = sampled(f, 200, f.optimum, 0.2);
