@@ -48,7 +48,8 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
            }},
       {.name = "search",
        .in = kComparisons,
-       .help = "full (default): scouts first, a refinement after the genetic algorithm, and settings of one model learn from each other; "
+       .help = "full (default): least-squares steps in the genetic algorithm, a refinement after it, and settings of one model learn from "
+               "each other; "
                "genetic: the genetic algorithm alone, as published",
        .allowed = one_of({"full", "genetic"}),
        .initial = "full",

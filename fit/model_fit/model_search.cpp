@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/model_fit/scout.h"
-
 namespace swarmfit {
 namespace {
 
@@ -13,7 +11,6 @@ constexpr double kLeadersApart = 0.1;     // in the unit cube: far enough that t
 constexpr double kFinalistsApart = 0.02;  // near ones are all but the same model
 constexpr std::size_t kFinalists = 12;
 constexpr std::size_t kSettled = 2;  // leaders at which the time step is chosen
-constexpr int kScoutShare = 4;       // fewer candidates than so many times the scout's runs are not worth it
 
 // Later passes start from what is known, rescored, so they search so many times less. Least of all the whole space on few replicates:
 // there all that is left to find is luck.
@@ -58,12 +55,10 @@ Round ModelSearch::on_seeds(const SearchPlan& plan, Stream stream, int replicate
 
 void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& on_search) {
   if (space_.dimensions() > 0) {
-    std::int64_t done = 0;  // simulations of the rounds before
     if (number == 1) {
       // The table's defaults are in the recording's scales: the one candidate that is not a guess.
       try_out({space_.start()}, search_, "search");
       ++evaluations_;
-      done = scout_ahead(weighting, on_search);
       // To find the valleys, rough steps will do; how rough they may be, far from the recording, says little of those it takes near it.
       settle(search_, plan_.budget.search.population, weighting, objective_.ensemble().stable_steps(), kFarSteps);
     }
@@ -71,14 +66,14 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
     const auto before = evaluations_;
     const Found found = explore(search_, wide, number, "search", weighting, [&](const GenerationReport& report) {
       convergence_.push_back({number, before + report.evaluations, -report.best});
-      on_search(done + report.evaluations * wide.replicates, -report.best);
+      on_search(report.evaluations * wide.replicates, -report.best);
     });
     stop_reason_ = to_string(found.stop);
     if (number == 1) settle(search_, wide.population, weighting, objective_.ensemble().stable_steps());
     convergence_.push_back({number, evaluations_, -leaders(search_, weighting, 1, 0.0).front().cost});
     promote(search_, selection_, static_cast<std::size_t>(narrow.population), kLeadersApart, number, "select", weighting);
     search_.suggested.clear();
-    done += candidates(wide, search_.stream, number) * wide.replicates;
+    const std::int64_t done = candidates(wide, search_.stream, number) * wide.replicates;  // simulations of the round before
     const auto refine = [&](const SearchSize& size) {
       explore(selection_, size, number, "refine", weighting,
               [&](const GenerationReport& report) { on_search(done + report.evaluations * narrow.replicates, -report.best); });
@@ -96,19 +91,6 @@ void ModelSearch::pass(int number, const Weighting& weighting, const OnSearch& o
     stop_reason_ = "nothing to search";
   }
   conclude(number, weighting);
-}
-
-std::int64_t ModelSearch::scout_ahead(const Weighting& weighting, const OnSearch& on_search) {
-  const ScoutSize& size = plan_.budget.scout;
-  const std::int64_t runs = std::int64_t{size.rounds} * size.simulations;
-  if (runs == 0 || plan_.evolution_only || (plan_.max_evaluations > 0 && plan_.max_evaluations < kScoutShare * runs)) return 0;
-  const double best = -leaders(search_, weighting, 1, 0.0).front().cost;
-  const auto points =
-      scout(space_, objective_, rng_.derive(Stream::posterior, 0), size, [&](std::int64_t simulations) { on_search(simulations, best); });
-  try_out(points, search_, "search");
-  evaluations_ += runs + static_cast<std::int64_t>(points.size());
-  simulations_ += runs;
-  return runs;
 }
 
 void ModelSearch::try_out(const std::vector<Point>& points, Round& round, const char* phase) {
@@ -144,8 +126,7 @@ void ModelSearch::suggest(const ModelSearch& other) {
 
 std::int64_t ModelSearch::planned(int number) const {
   const auto& budget = plan_.budget;
-  return (number == 1 && !plan_.evolution_only ? std::int64_t{budget.scout.rounds} * budget.scout.simulations : 0) +
-         candidates(budget.search, search_.stream, number) * budget.search.replicates +
+  return candidates(budget.search, search_.stream, number) * budget.search.replicates +
          candidates(budget.selection, selection_.stream, number) * budget.selection.replicates;
 }
 

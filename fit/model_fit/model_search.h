@@ -27,8 +27,8 @@ class ModelSearch {
   ModelSearch(std::size_t index, const ModelChoice& model, const Conditions& conditions, const Target& target, const SearchPlan& plan,
               std::vector<HistoryRow>& history, const Runtime& runtime, FinalView view);
 
-  // One calibration pass, in rounds of fewer candidates and more replicates: scouts (the first pass), rescores what is known, searches,
-  // searches again about the leaders, confirms the best of those, and reports the winner on seeds that had no part in choosing it.
+  // One calibration pass, in rounds of fewer candidates and more replicates: rescores what is known, searches, searches again about the
+  // leaders, confirms the best of those, and reports the winner on seeds that had no part in choosing it.
   void pass(int number, const Weighting& weighting, const OnSearch& on_search);
 
   // The next pass tries what another search has selected: together with this one's own parameters, and with the lowest of all that the
@@ -48,7 +48,6 @@ class ModelSearch {
   std::span<const Rng> final_seeds() const { return final_seeds_; }
 
  private:
-  std::int64_t scout_ahead(const Weighting& weighting, const OnSearch& on_search);  // returns its simulations
   void try_out(const std::vector<Point>& points, Round& round, const char* phase);  // in the first pass
   bool chooses_steps() const;
   StepSeeds step_seeds() const;

@@ -13,10 +13,10 @@ namespace swarmfit {
 namespace {
 
 const std::array<Budget, 3> kBudgets{{
-    // name      search          selection     confirmation, final, passes, scout
-    {"quick", {24, 44, 2}, {10, 16, 6}, 24, 24, 3, {0, 160}},
-    {"default", {40, 60, 3}, {16, 20, 12}, 48, 32, 6, {3, 360}},
-    {"thorough", {80, 120, 5}, {40, 30, 24}, 64, 48, 10, {5, 360}},
+    // name      search          selection     confirmation, final, passes
+    {"quick", {24, 40, 2}, {10, 14, 6}, 24, 24, 3},
+    {"default", {40, 66, 3}, {16, 20, 12}, 48, 32, 6},
+    {"thorough", {80, 124, 5}, {40, 30, 24}, 64, 48, 10},
 }};
 
 }  // namespace

@@ -17,11 +17,6 @@ struct SearchSize {
   int replicates;
 };
 
-// Simulations that a search starts from (fit/model_fit/scout.h): of this many rounds, each of so many.
-struct ScoutSize {
-  int rounds, simulations;
-};
-
 // How much searching is done per model and calibration pass (docs/search.md).
 struct Budget {
   std::string name;
@@ -30,7 +25,6 @@ struct Budget {
   int confirmation_replicates;  // the best of those, on seeds that favour none of them
   int final_replicates;         // the winner, on seeds that had no part in choosing it
   int passes;                   // of the calibration loop, at most
-  ScoutSize scout = {0, 0};     // none
 };
 
 // One row of history.csv: a candidate that was simulated.

@@ -178,10 +178,9 @@ Html provenance(const Comparison& c) {
   out += fact("seed", std::to_string(c.run.seed));
   out += fact("protocol", c.run.protocol);
   out += fact("common parameters", fmt::format("{}", fmt::join(c.run.common, ", ")));
-  out +=
-      fact("budget", fmt::format("{}: scout {} × {}, search {}, selection {}, confirmation on {}, report on {} replicates", budget_text(c),
-                                 c.run.budget.scout.rounds, c.run.budget.scout.simulations, size_text(c.run.budget.search),
-                                 size_text(c.run.budget.selection), c.run.budget.confirmation_replicates, c.run.budget.final_replicates));
+  out += fact("budget", fmt::format("{}: search {}, selection {}, confirmation on {}, report on {} replicates", budget_text(c),
+                                    size_text(c.run.budget.search), size_text(c.run.budget.selection), c.run.budget.confirmation_replicates,
+                                    c.run.budget.final_replicates));
   out += fact("calibration", c.ranking.mean_weights ? "each pass searches under the mean of all weights so far"
                                                     : "each pass searches under the last weights, as published");
   out += fact("read as", c.recording.data.format);

@@ -208,7 +208,6 @@ std::string to_json(const Comparison& c) {
                {"budget",
                 {{"name", c.run.budget.name},
                  {"search", search_size(c.run.budget.search)},
-                 {"scout", {{"rounds", c.run.budget.scout.rounds}, {"simulations", c.run.budget.scout.simulations}}},
                  {"selection", search_size(c.run.budget.selection)},
                  {"confirmation_replicates", c.run.budget.confirmation_replicates},
                  {"final_replicates", c.run.budget.final_replicates},

@@ -28,9 +28,9 @@ constexpr const char* kNlopt =
 constexpr const char* kCook1994 =
     "Cook JR, Stefanski LA (1994) Simulation-extrapolation estimation in parametric measurement error models. J Am Stat Assoc 89(428): "
     "1314–1328. doi:10.1080/01621459.1994.10476871 (share of measurement error)";
-constexpr const char* kFearnhead2012 =
-    "Fearnhead P, Prangle D (2012) Constructing summary statistics for approximate Bayesian computation: semi-automatic approximate "
-    "Bayesian computation. J R Stat Soc B 74(3): 419–474. doi:10.1111/j.1467-9868.2011.01010.x (starting points, posterior)";
+constexpr const char* kCartis2019 =
+    "Cartis C, Fiala J, Marteau B, Roberts L (2019) Improving the flexibility and robustness of model-based derivative-free optimization "
+    "solvers. ACM Trans Math Softw 45(3): 32. doi:10.1145/3338517 (least-squares steps)";
 constexpr const char* kGneiting2007 =
     "Gneiting T, Raftery AE (2007) Strictly proper scoring rules, prediction, and estimation. J Am Stat Assoc 102(477): 359–378. "
     "doi:10.1198/016214506000001437 (energy score)";
@@ -52,25 +52,22 @@ std::string what_was_done(const Comparison& c) {
                                 : fmt::format(", measurement error ({})", sigma_text(c));
   const std::string smooth =
       c.recording.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.recording.observation.smoothing)) : "";
-  const int scouts = b.scout.rounds * b.scout.simulations;
   const std::string fixed = kept_fixed(c);
   const std::string kept =
       fmt::format("{} Simulation steps per frame: {}.",
                   fixed.empty() ? "" : fmt::format(" Kept fixed were {}.", in_print(unit_in_print(fixed))), steps_taken(c));
-  const std::string scouted =
-      scouts > 0 ? fmt::format(", from starting points by semi-automatic approximate Bayesian computation ({} simulations) [6]", scouts)
-                 : "";
   return fmt::format(
       "{} fitted with swarmfit {} to {} frames of {} ({} individuals per frame, frame interval {} s{}). Simulations started from the "
       "recording's positions and velocities under its conditions (presence: {}, arena: {}{}{}). Parameters were searched by differential "
-      "evolution with refinement inside bounds [3, 4]{} ({} replicates per candidate, budget {}), maximising the entropy-weighted score of "
+      "evolution with least-squares steps and refinement inside bounds [3, 4, 6] ({} replicates per candidate, budget {}), maximising the "
+      "entropy-weighted score of "
       "{} "
       "[1, 2]; the best candidates were searched again with {} replicates and compared on {} others; final scores rest on {} "
       "fresh "
       "replicates.{} Seed {}.",
       models, c.run.version, c.recording.data.frames, file_name(c.recording.data.path), brief(c.recording.data.individuals_per_frame, 3),
       brief(c.recording.data.dt), c.recording.data.synthetic ? ", synthetic" : "", c.recording.observation.presence,
-      c.recording.observation.arena, error, smooth, scouted, b.search.replicates, budget_text(c), metrics_text(c), b.selection.replicates,
+      c.recording.observation.arena, error, smooth, b.search.replicates, budget_text(c), metrics_text(c), b.selection.replicates,
       b.confirmation_replicates, b.final_replicates, kept, c.run.seed);
 }
 
@@ -92,7 +89,7 @@ std::string how_it_is_measured(const Comparison& c) {
 }
 
 std::vector<std::string> references(const Comparison& c) {
-  std::vector<std::string> out = {kRen2016, kZou2006, kTanabe2013, kNlopt, kCook1994, kFearnhead2012, kGneiting2007};
+  std::vector<std::string> out = {kRen2016, kZou2006, kTanabe2013, kNlopt, kCook1994, kCartis2019, kGneiting2007};
   for (const ModelFit& r : c.models)
     if (!r.citation.empty() && std::none_of(out.begin(), out.end(), [&](const std::string& old) { return old.starts_with(r.citation); }))
       out.push_back(fmt::format("{} ({})", r.citation, r.model));

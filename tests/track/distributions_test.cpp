@@ -24,8 +24,8 @@ TEST(Distributions, TailOfF) {
 double binomial_at_most(int k, int n, double chance) {
   double sum = 0;
   for (int i = 0; i <= k; ++i)
-    sum += std::exp(std::lgamma(n + 1) - std::lgamma(i + 1) - std::lgamma(n - i + 1) + i * std::log(chance) +
-                    (n - i) * std::log1p(-chance));
+    sum +=
+        std::exp(std::lgamma(n + 1) - std::lgamma(i + 1) - std::lgamma(n - i + 1) + i * std::log(chance) + (n - i) * std::log1p(-chance));
   return sum;
 }
 
