@@ -89,7 +89,7 @@ Outcome Objective::outcome(std::span<const ScoredRun> scored) const {
   if (target_.binning().normalisation == Normalisation::separate) out.distributions = target_.distributions(samples);
   const double failed = static_cast<double>(out.failed) / static_cast<double>(scored.size());
   const auto off = target_.misplacement(out.distributions);
-  out.differences = target_.differences(out.distributions);
+  if (out.failed == 0) out.differences = target_.differences(out.distributions);
   Energies good;
   if (failed < 1) good = target_.binning().pooled ? target_.energies(out.distributions) : energy_scores(scored, out.replicates);
   for (std::size_t m = 0; m < columns; ++m) {

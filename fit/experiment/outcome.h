@@ -27,7 +27,7 @@ struct Outcome {
   Energies first;                         // guided energies of the first replicates alone, where a race asked for them
   std::vector<Energies> replicates;       // of each replicate: EnergyScore::runs, or alone
   PerColumn<Distribution> distributions;  // pooled replicates
-  Differences differences;                // of the pooled replicates
+  Differences differences;                // of the pooled replicates; none if one blew up
   int failed = 0;                         // replicates that blew up
   Counters count;                         // summed
 };

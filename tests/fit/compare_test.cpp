@@ -67,6 +67,7 @@ TEST(Objective, BlowUpIsCountedAndCostsTheWorst) {
   const auto outcome = scene.objective.evaluate(wild, replicate_seeds({1}, Stream::replicate, 2));
   EXPECT_EQ(outcome.failed, 2);
   for (const double e : outcome.raw) EXPECT_EQ(e, scene.target.worst());
+  EXPECT_TRUE(outcome.differences.empty()) << "no way is shown by what blew up";
 }
 
 TEST(Objective, SeparateNormalisationPoolsSamplesBeforeItStandardisesThem) {

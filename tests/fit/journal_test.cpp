@@ -28,6 +28,7 @@ void expect_same(const Outcome& a, const Outcome& b) {
   ASSERT_EQ(a.replicates.size(), b.replicates.size());
   for (std::size_t r = 0; r < a.replicates.size(); ++r) EXPECT_EQ(bits(a.replicates[r]), bits(b.replicates[r]));
   EXPECT_EQ(a.failed, b.failed);
+  EXPECT_EQ(a.differences, b.differences);
   EXPECT_EQ(a.count.agent_steps, b.count.agent_steps);
 }
 
