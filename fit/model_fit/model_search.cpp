@@ -10,6 +10,7 @@ namespace {
 constexpr double kLeadersApart = 0.1;     // in the unit cube: far enough that they do not share their luck
 constexpr double kFinalistsApart = 0.02;  // near ones are all but the same model
 constexpr std::size_t kFinalists = 12;
+constexpr int kBeginnings = 3;       // of the first search of the whole space
 constexpr std::size_t kSettled = 2;  // leaders at which the time step is chosen
 
 // Later passes start from what is known, rescored, so they search so many times less. Least of all the whole space on few replicates:
@@ -160,6 +161,7 @@ Found ModelSearch::explore(Round& round, const SearchSize& size, int pass, const
   SearchOptions options;
   options.evolution.population = size.population;
   options.evolution_only = plan_.evolution_only;
+  if (pass == 1 && round.stream == Stream::replicate && !plan_.evolution_only) options.beginnings = kBeginnings;
   options.evolution.generations = generations(size, round.stream, pass);
   options.evolution.stall = std::max(1, options.evolution.stall / share(round.stream, pass));
   if (plan_.max_evaluations > 0) {

@@ -98,22 +98,25 @@ struct RefineOptions {
 SearchResult refine(const std::vector<Evaluated>& starts, const BatchCost& cost, const RefineOptions& options);
 
 struct SearchOptions {
+  // The genetic algorithm begins so often anew, with a share of the budget each, and at last goes on from the best of what all of them
+  // found: where a landscape has several valleys, a population settles in one of them by chance. Fewer, if the budget is small.
+  int beginnings = 1;
   EvolutionOptions evolution;   // its planned evaluations or max_evaluations, whichever is less, is the budget of everything
   RefineOptions refine;         // its evaluations follow from the budget
   double refine_share = 0.05;   // of the budget that the genetic algorithm leaves to the refinement, in [0, 1)
   bool evolution_only = false;  // neither refinement nor response surface
 };
 
-// What a whole search found; `generations` and `stop` are the genetic algorithm's. On a rough landscape the cheapest point is mostly a
-// lucky one; `recommended` is then the minimum of a quadratic through all points of the valley (a response surface), which averages the
-// roughness out.
+// What a whole search found; `generations` are the genetic algorithm's, `stop` its last one's. On a rough landscape the cheapest point is
+// mostly a lucky one; `recommended` is then the minimum of a quadratic through all points of the valley (a response surface), which
+// averages the roughness out.
 struct Found : SearchResult {
   Evaluated recommended;  // best.front() on a smooth landscape; NaN cost and no coordinates when every evaluation failed
   double roughness = 0;   // standard deviation of the costs about a smooth surface near the best; 0: smooth, or too few points to tell
 };
 
-// differential_evolution, then refine, then one evaluation of the response surface's minimum; never more evaluations than the budget.
-// Candidates of final comparisons on fresh random numbers: `recommended` and the first of `best`.
+// differential_evolution, once or more, then refine, then one evaluation of the response surface's minimum; never more evaluations than the
+// budget. Candidates of final comparisons on fresh random numbers: `recommended` and the first of `best`.
 Found search(int dimensions, const BatchCost& cost, const SearchOptions& options, const Rng& rng, const std::vector<Evaluated>& start = {},
              const OnGeneration& on_generation = {});
 

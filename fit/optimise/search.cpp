@@ -11,6 +11,9 @@
 namespace swarmfit {
 namespace {
 
+constexpr double kBeginnings = 0.9;     // of the genetic algorithm's budget, shared out equally; the rest goes on from the best
+constexpr int kFewestGenerations = 10;  // a beginning of fewer tells nothing about its valley
+
 double cost_of_one(const BatchCost& cost, const Point& x) { return cost({x}).front(); }
 
 std::int64_t budget_of(const EvolutionOptions& options) {
@@ -53,6 +56,40 @@ void try_response_surface(Found& found, const BatchCost& cost, const std::vector
   }
 }
 
+SearchResult evolve(int dimensions, const BatchCost& cost, const SearchOptions& options, const EvolutionOptions& whole, const Rng& rng,
+                    const std::vector<Evaluated>& start, const OnGeneration& on_generation) {
+  const std::int64_t budget = budget_of(whole), least = std::int64_t{kFewestGenerations} * whole.population;
+  const std::int64_t beginnings = std::min<std::int64_t>(options.beginnings, budget / least);
+  if (beginnings < 2) return differential_evolution(dimensions, cost, whole, rng, start, on_generation);
+
+  SearchResult all;
+  double best = std::numeric_limits<double>::infinity();
+  const auto report = [&](const GenerationReport& now) {
+    best = std::min(best, now.best);
+    return !on_generation || on_generation({all.generations + now.generation, all.evaluations + now.evaluations, best});
+  };
+  const auto run = [&](std::int64_t evaluations, std::int64_t k, const std::vector<Evaluated>& from) {
+    EvolutionOptions part = whole;
+    part.max_evaluations = evaluations;
+    const SearchResult found =
+        differential_evolution(dimensions, cost, part, rng.derive(Stream::search, static_cast<std::uint64_t>(k)), from, report);
+    all.evaluations += found.evaluations;
+    all.generations += found.generations;
+    all.visited.insert(all.visited.end(), found.visited.begin(), found.visited.end());
+    all.best.insert(all.best.end(), found.best.begin(), found.best.end());
+    std::stable_sort(all.best.begin(), all.best.end(), [](const Evaluated& a, const Evaluated& b) { return a.cost < b.cost; });
+    all.stop = found.stop;
+  };
+  const auto each = static_cast<std::int64_t>(kBeginnings * static_cast<double>(budget)) / beginnings;
+  for (std::int64_t k = 0; k < beginnings && all.stop != Stop::interrupted; ++k) run(each, k, k == 0 ? start : std::vector<Evaluated>{});
+  std::vector<Evaluated> known = start;
+  append_succeeded(known, all.visited);
+  if (all.stop == Stop::interrupted) return all;
+  all.best.clear();  // they are the last population
+  run(budget - all.evaluations, beginnings, known);
+  return all;
+}
+
 }  // namespace
 
 Found search(int dimensions, const BatchCost& cost, const SearchOptions& options, const Rng& rng, const std::vector<Evaluated>& start,
@@ -64,8 +101,7 @@ Found search(int dimensions, const BatchCost& cost, const SearchOptions& options
   EvolutionOptions evolution = options.evolution;
   const double refine_share = options.evolution_only ? 0 : options.refine_share;
   evolution.max_evaluations = std::max<std::int64_t>(1, budget - static_cast<std::int64_t>(refine_share * static_cast<double>(budget)));
-  Found found{
-      differential_evolution(dimensions, cost, evolution, rng, start, on_generation), {{}, std::numeric_limits<double>::quiet_NaN()}, 0};
+  Found found{evolve(dimensions, cost, options, evolution, rng, start, on_generation), {{}, std::numeric_limits<double>::quiet_NaN()}, 0};
   if (found.best.empty()) return found;
   if (found.stop != Stop::interrupted && !options.evolution_only) {
     RefineOptions refinement = options.refine;

@@ -49,6 +49,63 @@ TEST(Search, ReachesTheGoalOnTheNoisySphere) {
   EXPECT_LE(median_truth([](std::uint64_t seed) { return noisy(sphere(goal_dimensions, seed), 0.5, seed); }, 7), 0.08);
 }
 
+// A wide valley that ends at 0.3, and a narrow one that ends at 0.
+TestFunction two_valleys(std::uint64_t seed) {
+  const Rng rng{seed};
+  Point wide(4), narrow(4);
+  for (int k = 0; k < 4; ++k) {
+    wide[k] = rng.uniform(Stream::probe, 0, static_cast<std::uint32_t>(k), 0);
+    narrow[k] = rng.uniform(Stream::probe, 1, static_cast<std::uint32_t>(k), 0);
+  }
+  const auto cost = [wide, narrow](const Point& x) { return std::min(0.3 + (x - wide).squaredNorm(), 8 * (x - narrow).squaredNorm()); };
+  return {"two valleys", narrow, cost, cost};
+}
+
+// Of forty landscapes, in how many is the deeper valley found?
+int found_deepest(int beginnings) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const TestFunction f = two_valleys(seed);
+    SearchOptions options;
+    options.beginnings = beginnings;
+    options.evolution.population = 12;
+    options.evolution.generations = 80;
+    const Found result = search(4, f.batch(), options, Rng{seed});
+    EXPECT_LE(result.evaluations, 960);
+    found += result.best.front().cost < 0.1;
+  }
+  return found;
+}
+
+TEST(Search, BeginsAnewWhereThereAreSeveralValleys) {
+  EXPECT_GE(found_deepest(3), found_deepest(1) + 5);  // 24 and 17
+}
+
+TEST(Search, BeginningsShareOneBudgetAndTheBestSurvives) {
+  const TestFunction f = rastrigin(3, 1);
+  SearchOptions options = budget_of(2000);
+  options.beginnings = 3;
+  std::vector<GenerationReport> reports;
+  const auto found = search(3, f.batch(), options, Rng{1}, {}, [&](const GenerationReport& now) { return reports.push_back(now), true; });
+  EXPECT_LE(found.evaluations, 2000);
+  EXPECT_EQ(found.visited.size(), static_cast<std::size_t>(found.evaluations));
+  for (std::size_t k = 1; k < reports.size(); ++k) {
+    EXPECT_GT(reports[k].generation, reports[k - 1].generation);
+    EXPECT_GE(reports[k].evaluations, reports[k - 1].evaluations);
+    EXPECT_LE(reports[k].best, reports[k - 1].best);
+  }
+  for (const Evaluated& e : found.visited) EXPECT_LE(found.best.front().cost, e.cost);
+}
+
+TEST(Search, TooSmallABudgetIsNotShared) {
+  const TestFunction f = rastrigin(3, 1);
+  SearchOptions once = budget_of(400), often = once;
+  often.beginnings = 3;  // of less than ten generations each
+  const auto a = search(3, f.batch(), once, Rng{1}), b = search(3, f.batch(), often, Rng{1});
+  ASSERT_EQ(a.visited.size(), b.visited.size());
+  for (std::size_t k = 0; k < a.visited.size(); ++k) EXPECT_EQ(a.visited[k].x, b.visited[k].x);
+}
+
 // All of the budget goes to it, and nothing else is tried.
 TEST(Search, TheGeneticAlgorithmAlone) {
   const TestFunction f = rastrigin(3, 1);
