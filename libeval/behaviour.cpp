@@ -12,6 +12,7 @@
 #include <set>
 
 #include "libtrack/error.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {
@@ -210,12 +211,7 @@ std::vector<double> to_stimulus(const Witness& w, const FrameRange& f) {
 }
 
 double stimulus_distance(const Witness& w, const Questions& asked) {
-  return mean_over(w.agents, asked, [&](const FrameRange& f) {
-    auto d = to_stimulus(w, f);
-    if (d.empty()) return kNaN;
-    std::nth_element(d.begin(), d.begin() + static_cast<std::ptrdiff_t>(d.size() / 2), d.end());
-    return d[d.size() / 2];
-  });
+  return mean_over(w.agents, asked, [&](const FrameRange& f) { return median(to_stimulus(w, f)); });
 }
 
 double nearest_to_stimulus(const Witness& w, const Questions& asked) {

@@ -38,9 +38,6 @@ struct Histogram {
 // A discrete PDF: Q_i = S_i M / (S (u2 - u1)); empty when there is no sample.
 std::vector<double> density(const Histogram&, double lower, double upper);
 
-// Linear interpolation between order statistics, p in [0, 1] (Hyndman & Fan's type 7); NaN without values.
-double quantile(std::vector<double> values, double p);
-
 // First two moments of one metric, addable over replicates. Values that are not finite are passed over.
 struct Moments {
   std::uint64_t count = 0;

@@ -13,14 +13,14 @@ using Eigen::Array3d;
 
 double length(const Array3d& a) { return std::sqrt(a.square().sum()); }
 
-struct Moment {
+struct HerdMoment {
   std::int64_t frame;
   Array3d centre = Array3d::Zero(), shepherd = Array3d::Constant(Herding::kNone);
   double spread = 0, farthest = 0, polarisation = Herding::kNone, sheep = 0;
 };
 
-Moment moment_of(const Tracks& tracks, const FrameRange& frame, const HerdingOptions& options) {
-  Moment m{.frame = frame.number};
+HerdMoment moment_of(const Tracks& tracks, const FrameRange& frame, const HerdingOptions& options) {
+  HerdMoment m{.frame = frame.number};
   Array3d headings = Array3d::Zero();
   double moving = 0;
   bool led = false;
@@ -54,7 +54,7 @@ struct Mean {
 };
 
 // Signed distance of the shepherd from the line, positive to the left of the way home.
-double side_of(const Moment& m, const Array3d& target) {
+double side_of(const HerdMoment& m, const Array3d& target) {
   const Array3d way = target - m.centre, off = m.shepherd - m.centre;
   const double distance = std::hypot(way[0], way[1]);
   return distance > 0 ? (way[0] * off[1] - way[1] * off[0]) / distance : Herding::kNone;
@@ -91,13 +91,14 @@ void measure_sides(const std::vector<std::vector<double>>& drives, double dt, He
 
 Herding herding(const Tracks& tracks, const HerdingOptions& options) {
   if (!(options.home > 0) || !(options.repulsion > 0)) throw std::invalid_argument("herding: home and repulsion must be positive");
-  std::vector<Moment> moments;
+  std::vector<HerdMoment> moments;
   for (const FrameRange& frame : tracks.frames())
-    if (const Moment m = moment_of(tracks, frame, options); m.sheep > 0) moments.push_back(m);
+    if (const HerdMoment m = moment_of(tracks, frame, options); m.sheep > 0) moments.push_back(m);
   Herding out;
   if (moments.empty()) return out;
   const Array3d target = options.target.value_or(moments.back().centre);
-  const auto home = std::find_if(moments.begin(), moments.end(), [&](const Moment& m) { return length(m.centre - target) < options.home; });
+  const auto home =
+      std::find_if(moments.begin(), moments.end(), [&](const HerdMoment& m) { return length(m.centre - target) < options.home; });
   if (home != moments.end()) {
     out.time = static_cast<double>(home->frame - moments.front().frame) * tracks.dt();
     moments.erase(home + 1, moments.end());
@@ -105,7 +106,7 @@ Herding herding(const Tracks& tracks, const HerdingOptions& options) {
   Mean collecting, spread, speed, polarisation;
   std::vector<std::vector<double>> drives(1);
   for (std::size_t k = 0; k < moments.size(); ++k) {
-    const Moment& m = moments[k];
+    const HerdMoment& m = moments[k];
     const bool collects = m.farthest > options.repulsion * std::cbrt(m.sheep * m.sheep);
     const bool follows = k > 0 && m.frame == moments[k - 1].frame + 1;
     collecting.add(collects ? 1 : 0), spread.add(m.spread), polarisation.add(m.polarisation);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "libtrack/quantile.h"
+
 #include "libeval/robust.h"
 #include "libeval/suspicions.h"
 

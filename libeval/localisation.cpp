@@ -6,10 +6,10 @@
 #include <limits>
 #include <optional>
 
-#include "libeval/energy.h"
 #include "libeval/rounding.h"
 #include "libeval/white_part.h"
 #include "libtrack/normals.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {

@@ -12,12 +12,13 @@
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
 #include "libtrack/hot.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 
 namespace {
 
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kStill = 1e-9;       // of the median speed: slower than this has no direction
 constexpr double kCoincident = 1e-9;  // [unit]: closer than this is the same place
 
@@ -104,11 +105,7 @@ double still_speed(const std::vector<double>& defined) {
   if (defined.empty()) return 0;
   const auto [low, high] = std::minmax_element(defined.begin(), defined.end());
   if (*low >= kStill * *high) return 0;
-  std::vector<double> sorted = defined;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  if (sorted.size() % 2 == 1) return kStill * *middle;
-  return kStill * 0.5 * (*middle + *std::max_element(sorted.begin(), middle));
+  return kStill * median(defined);
 }
 
 double mean(const std::vector<double>& values) {
@@ -205,8 +202,7 @@ class Motion {
       angles(cross, dot, count, now);
       divide(now, dt_, count);
       for (Index k = 0; k < count; ++k)
-        if (const double slower = std::min(*v_.speed(row + k), *v_.speed(row + shift + k)); !(slower > 0 && slower >= still))
-          now[k] = kUndefined;
+        if (const double slower = std::min(*v_.speed(row + k), *v_.speed(row + shift + k)); !(slower > 0 && slower >= still)) now[k] = kNaN;
       book_.put(first_ + kAngularVelocity, row, now, count);
     }
     for (const auto& [row, count, shift] : jerking_) {
@@ -233,7 +229,7 @@ void neighbours(const Tracks& tracks, const Velocities& v, Book& out) {
     const double d = nearest.distance[static_cast<std::size_t>(k)];
     out.put(kDistance, k, d);
     if (!v.exists(k) || (j >= 0 && !v.exists(j))) continue;
-    out.put(kVelocityDifference, k, j >= 0 && d >= kCoincident ? std::abs(*v.speed(j) - *v.speed(k)) / d : kUndefined);
+    out.put(kVelocityDifference, k, j >= 0 && d >= kCoincident ? std::abs(*v.speed(j) - *v.speed(k)) / d : kNaN);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "libtrack/kinematics.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {
@@ -78,9 +79,7 @@ double distance_to_nearest(const Tracks& tracks, const Tracks& library, std::int
   if (paths.empty() || known.empty()) return NAN;
   std::vector<double> distances;
   for (const Path& path : paths) distances.push_back(nearest(path, known));
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return median(std::move(distances));
 }
 
 double correlation_time(const Tracks& tracks) {

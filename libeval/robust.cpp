@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "libeval/energy.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
-
-double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 Robust robust(std::vector<double> values) {
   const double middle = median(values);

@@ -16,8 +16,6 @@ struct Robust {
 };
 Robust robust(std::vector<double> values);
 
-double median(std::vector<double> values);  // NaN without values
-
 std::size_t count_outliers(const std::vector<double>& values, double sds);  // beyond median ± sds × 1.4826 MAD
 
 }  // namespace swarmfit

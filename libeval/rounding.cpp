@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "libeval/energy.h"
+#include "libtrack/quantile.h"
 #include "libtrack/rng.h"
 
 namespace swarmfit {

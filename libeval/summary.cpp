@@ -8,6 +8,7 @@
 #include "libeval/energy.h"
 #include "libeval/robust.h"
 #include "libeval/suspicions.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "libeval/robust.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kCoincident = 1e-9;    // [unit], as in the metrics
 constexpr double kFewIndividuals = 10;  // per frame
 constexpr double kFramesForJerk = 4;    // a segment needs them for alpha and mu
 
-using Found = std::optional<Suspicion>;
+using Suspected = std::optional<Suspicion>;
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
 
@@ -44,7 +44,7 @@ class Places {
   std::string text_;
 };
 
-Found swaps(const Tracks& tracks, const std::vector<IdentityEvent>& events) {
+Suspected swaps(const Tracks& tracks, const std::vector<IdentityEvent>& events) {
   Places places(tracks);
   for (const auto& e : events)
     if (e.other >= 0) places.add(e.row);
@@ -56,7 +56,7 @@ Found swaps(const Tracks& tracks, const std::vector<IdentityEvent>& events) {
       places.text()};
 }
 
-Found jumps(const Tracks& tracks, const Summary& s, const std::vector<IdentityEvent>& events) {
+Suspected jumps(const Tracks& tracks, const Summary& s, const std::vector<IdentityEvent>& events) {
   Places places(tracks);
   for (const auto& e : events)
     if (e.other < 0) places.add(e.row);
@@ -69,7 +69,7 @@ Found jumps(const Tracks& tracks, const Summary& s, const std::vector<IdentityEv
       places.text()};
 }
 
-Found double_detections(const Tracks& tracks) {
+Suspected double_detections(const Tracks& tracks) {
   const Nearest nearest = nearest_neighbours(tracks);
   Places places(tracks);
   for (Index row = 0; row < tracks.rows(); ++row)
@@ -81,7 +81,7 @@ Found double_detections(const Tracks& tracks) {
                    places.text()};
 }
 
-Found frozen(const Tracks& tracks, const Summary& s) {
+Suspected frozen(const Tracks& tracks, const Summary& s) {
   if (!(s.speed.median > 0)) return {};
   Places places(tracks);
   std::vector<bool> seen(tracks.track_count(), false);
@@ -115,7 +115,7 @@ std::string unit_advice(double ratio, double dt) {
 }
 
 // Recorded velocities must be the derivative of the positions.
-Found unit(const Tracks& tracks) {
+Suspected unit(const Tracks& tracks) {
   if (!tracks.has_velocity()) return {};
   std::vector<double> ratios;
   for (Index row = 0; row < tracks.rows(); ++row) {
@@ -133,7 +133,7 @@ Found unit(const Tracks& tracks) {
                    ""};
 }
 
-Found constant_columns(const Tracks& tracks) {
+Suspected constant_columns(const Tracks& tracks) {
   std::string names;
   const auto look = [&](const Rows& rows, std::string_view prefix) {
     for (Index axis = 0; axis < tracks.dims() && rows.rows() > 1; ++axis)
@@ -152,7 +152,7 @@ std::string sigma_text(const Tracks& tracks, const Localisation& l) {
   return fmt::format("{} {} ({})", text, tracks.meta().unit, tracks.dims() == 3 ? "x, y, z" : "x, y");
 }
 
-Found measurement_error(const Tracks& tracks, const Summary& s) {
+Suspected measurement_error(const Tracks& tracks, const Summary& s) {
   const Localisation& l = s.localisation;
   if (l.samples == 0 || !(l.acceleration_share > 0.5 || l.jerk_share > 0.5) || !(l.white || l.rounding)) return {};
   return Suspicion{
@@ -165,7 +165,7 @@ Found measurement_error(const Tracks& tracks, const Summary& s) {
 }
 
 // Simulated motion is exact, and known to be.
-Found smoothed(const Tracks& tracks, const Summary& s) {
+Suspected smoothed(const Tracks& tracks, const Summary& s) {
   const Localisation& l = s.localisation;
   if (l.samples == 0 || l.white || tracks.meta().from.format == "simulated") return {};
   return Suspicion{
@@ -175,7 +175,7 @@ Found smoothed(const Tracks& tracks, const Summary& s) {
       ""};
 }
 
-Found short_segments(const Summary& s) {
+Suspected short_segments(const Summary& s) {
   if (s.segments == 0 || !(s.segment_length.median < 2 * kFramesForJerk)) return {};
   return Suspicion{
       "short segments",
@@ -185,7 +185,7 @@ Found short_segments(const Summary& s) {
       ""};
 }
 
-Found few_individuals(const Summary& s) {
+Suspected few_individuals(const Summary& s) {
   if (!(s.individuals.median <= kFewIndividuals)) return {};
   return Suspicion{
       "few individuals",
@@ -200,9 +200,9 @@ Found few_individuals(const Summary& s) {
 std::vector<Suspicion> suspicions(const Tracks& tracks, const Summary& s) {
   const auto events = identity_events(tracks);
   std::vector<Suspicion> out;
-  for (Found& found : std::array<Found, 10>{swaps(tracks, events), jumps(tracks, s, events), double_detections(tracks), frozen(tracks, s),
-                                            unit(tracks), constant_columns(tracks), measurement_error(tracks, s), smoothed(tracks, s),
-                                            short_segments(s), few_individuals(s)})
+  for (Suspected& found : std::array<Suspected, 10>{swaps(tracks, events), jumps(tracks, s, events), double_detections(tracks),
+                                                    frozen(tracks, s), unit(tracks), constant_columns(tracks), measurement_error(tracks, s),
+                                                    smoothed(tracks, s), short_segments(s), few_individuals(s)})
     if (found) out.push_back(std::move(*found));
   return out;
 }

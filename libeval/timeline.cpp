@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "libtrack/quantile.h"
+
 namespace swarmfit {
 namespace {
 
@@ -39,11 +41,9 @@ Timeline timeline(const Tracks& tracks) {
     out.seen[k] /= length, out.missing[k] /= length;
   }
   if (steps.empty()) return out;
-  std::vector<double> sorted = steps;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double usual = median(steps);
   for (std::size_t k = 0; k < steps.size(); ++k)
-    if (*middle > 0 && steps[k] > kJump * *middle) ++out.jumps[when[k]];
+    if (usual > 0 && steps[k] > kJump * usual) ++out.jumps[when[k]];
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libeval/robust.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {

@@ -18,7 +18,7 @@ constexpr double kParallel = 1e-12;   // squared sine of the angle between norma
 constexpr double kTolerance = 1e-10;  // of the speed limit: a velocity on a plane may miss it by rounding
 
 // What is sought within the half-spaces and the ball |v| <= speed: the point nearest to `target`, or the farthest along it.
-struct Goal {
+struct Aim {
   Vector3d target;
   bool farthest;
   double speed;
@@ -35,7 +35,7 @@ Vector3d best_around(const Vector3d& centre, double radius, const Vector3d& proj
 }
 
 // Best point on the line where planes a and b meet, under the half-spaces in `others`.
-std::optional<Vector3d> solve_on_line(const HalfSpace& a, const HalfSpace& b, std::span<const HalfSpace> others, const Goal& goal) {
+std::optional<Vector3d> solve_on_line(const HalfSpace& a, const HalfSpace& b, std::span<const HalfSpace> others, const Aim& goal) {
   const Vector3d cross = a.normal.cross(b.normal);
   const double sine2 = cross.squaredNorm();
   if (sine2 < kParallel) return std::nullopt;
@@ -61,7 +61,7 @@ std::optional<Vector3d> solve_on_line(const HalfSpace& a, const HalfSpace& b, st
 }
 
 // Best point on one plane, under the half-spaces in `others`.
-std::optional<Vector3d> solve_on_plane(const HalfSpace& plane, std::span<const HalfSpace> others, const Goal& goal) {
+std::optional<Vector3d> solve_on_plane(const HalfSpace& plane, std::span<const HalfSpace> others, const Aim& goal) {
   const double disc2 = goal.speed * goal.speed - plane.bound * plane.bound;
   if (disc2 < 0) return std::nullopt;
   const double height = plane.normal.dot(goal.target) - (goal.farthest ? 0 : plane.bound);
@@ -76,7 +76,7 @@ std::optional<Vector3d> solve_on_plane(const HalfSpace& plane, std::span<const H
   return v;
 }
 
-std::optional<Vector3d> solve(std::span<const HalfSpace> allowed, const Goal& goal) {
+std::optional<Vector3d> solve(std::span<const HalfSpace> allowed, const Aim& goal) {
   Vector3d v = best_around(Vector3d::Zero(), goal.speed, goal.target, goal.farthest);
   for (std::size_t k = 0; k < allowed.size(); ++k) {
     if (allowed[k].depth(v) <= goal.tolerance()) continue;

@@ -15,7 +15,7 @@ constexpr double kLeftEntry = 0.02, kRightEntry = 0.998;  // of the width
 
 // Random numbers of arrivals, apart from those of agents: ids of ants say nothing of the end at which they enter.
 constexpr std::uint64_t kArrivals = 0xB21D6E;
-enum Draw : std::uint32_t { interval, place, load, aside };
+enum Draw : std::uint32_t { interval, place, burden, aside };
 
 }  // namespace
 
@@ -44,7 +44,7 @@ void Bridge::welcome(End& end, bool nest, const Clock& clock, State& state) cons
       y = shape_.entry_y + shape_.entry_y_spread * rng.normal2(Stream::start, end.arrived, id, aside)[0];
       y = y < 0 ? kLeftEntry * shape_.width : y > shape_.width ? kRightEntry * shape_.width : y;
     }
-    const bool laden = rng.uniform(Stream::start, end.arrived, id, load) < shape_.laden;
+    const bool laden = rng.uniform(Stream::start, end.arrived, id, burden) < shape_.laden;
     const std::uint8_t kind = nest ? 0 : laden ? 1 : 2;
     state.spawn(kind, {nest ? inwards : shape_.length - inwards, y, 0}, {nest ? shape_.speed : -shape_.speed, 0, 0});
     ++end.arrived;

@@ -10,7 +10,7 @@ namespace swarmfit {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double ForceFit::se(ForceGroup group, std::size_t k) const {
   const auto c = static_cast<Index>(law.basis.first(group) + k);
@@ -25,8 +25,8 @@ double ForceFit::kernel_se(ForceGroup group, double distance) const {
   VectorXd w = VectorXd::Zero(covariance.rows());
   const auto c = static_cast<Index>(law.basis.first(group) + first);
   if (weight == 0 && next == 0) return 0;
-  if (weight != 0 && !std::isfinite(covariance(c, c))) return kUndefined;
-  if (next > 0 && !std::isfinite(covariance(c + 1, c + 1))) return kUndefined;
+  if (weight != 0 && !std::isfinite(covariance(c, c))) return kNaN;
+  if (next > 0 && !std::isfinite(covariance(c + 1, c + 1))) return kNaN;
   w[c] = weight;
   if (next > 0) w[c + 1] = next;
   return std::sqrt(w.dot(known() * w));

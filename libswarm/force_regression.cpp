@@ -21,7 +21,7 @@ using Eigen::ArrayXd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Index kLag = 4;        // frames between a force and its instruments
 constexpr Index kFirstSeen = 3;  // autocovariance without localisation error, in frames
 constexpr Index kLastSeen = 40;
@@ -36,7 +36,7 @@ constexpr double kDoubled = 2, kAgrees = 0.05;
 constexpr double kBartlett = 0.61;  // variance of a mean of three autocovariances where neighbours correlate by a quarter
 
 // Sums that the regression needs, for any memory of the noise.
-struct Moments {
+struct NormalMoments {
   MatrixXd now, before;  // instruments · terms of the same and of the preceding frame
   VectorXd a_now, a_before;
 };
@@ -101,11 +101,11 @@ class Regression {
   // Could all coefficients of a group be 0?
   double p_of(ForceGroup group) const {
     const auto first = static_cast<Index>(basis_.first(group)), count = static_cast<Index>(basis_.count(group));
-    if (count == 0 || !(scale_.segment(first, count).minCoeff() > 0)) return kUndefined;
+    if (count == 0 || !(scale_.segment(first, count).minCoeff() > 0)) return kNaN;
     const VectorXd theta = theta_.segment(first, count);
     const MatrixXd covariance = covariance_.block(first, first, count, count);
     const auto many = static_cast<double>(count), pieces = static_cast<double>(pieces_);
-    if (pieces < many + kFewestPieces) return kUndefined;
+    if (pieces < many + kFewestPieces) return kNaN;
     const double wald = theta.dot(least_squares(covariance, theta));
     if (!std::isfinite(wald)) return 1;
     return fisher_f_tail(std::max(0.0, wald) * (pieces - many) / (many * (pieces - 1)), many, pieces - many);
@@ -281,14 +281,14 @@ class Regression {
     const MatrixXd inverse = pseudo_inverse(normal_);
     const MatrixXd scaled = s.cwiseInverse().asDiagonal() * (inverse * meat * inverse.transpose()) * s.cwiseInverse().asDiagonal();
     covariance_(columns_, columns_) = scaled;
-    for (const Index c : unseen_) covariance_.row(c).setConstant(kUndefined), covariance_.col(c).setConstant(kUndefined);
+    for (const Index c : unseen_) covariance_.row(c).setConstant(kNaN), covariance_.col(c).setConstant(kNaN);
   }
 
   const ForceBasis& basis_;
   ForceDesign design_;
   double dt_;
   VectorXd scale_;  // root mean square of every term
-  Moments moments_;
+  NormalMoments moments_;
   Index rows_ = 0;
   std::vector<Index> columns_, unseen_;  // of the groups that are fitted
   MatrixXd normal_, covariance_;
@@ -372,10 +372,10 @@ ForceFit ForceRegression::result(const ForceGroups& groups) const {
   ForceFit out;
   out.law.basis = measured_->basis;
   out.rows = r.rows();
-  out.p.fill(kUndefined);
+  out.p.fill(kNaN);
   if (rows() < enough()) {
-    out.law.coefficients = VectorXd::Constant(size, kUndefined);
-    out.covariance = MatrixXd::Constant(size, size, kUndefined);
+    out.law.coefficients = VectorXd::Constant(size, kNaN);
+    out.covariance = MatrixXd::Constant(size, size, kNaN);
     return out;
   }
   out.groups = there(groups);

@@ -9,6 +9,7 @@
 #include "fit/model_fit/race.h"
 #include "libeval/energy_score.h"
 #include "libeval/false_discovery.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {

@@ -8,12 +8,12 @@
 #include <cmath>
 
 #include "fit/experiment/entry.h"
-#include "libeval/energy.h"
 #include "libeval/order.h"
 #include "libswarm/scenario/surroundings.h"
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
 #include "libtrack/kinematics.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {

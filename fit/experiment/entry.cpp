@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "libeval/energy.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {
@@ -106,9 +107,9 @@ struct Entry {
 };
 
 // One axis of the recording.
-class Axis {
+class SmoothedAxis {
  public:
-  Axis(const Tracks& tracks, Index axis, double sigma) : tracks_(tracks), axis_(axis), filters_(filters()) {
+  SmoothedAxis(const Tracks& tracks, Index axis, double sigma) : tracks_(tracks), axis_(axis), filters_(filters()) {
     for (const Filter& f : filters_) judgements_.push_back(judge(tracks, f, axis, sigma));
   }
 
@@ -146,7 +147,7 @@ std::span<const Index> run_from(const Tracks& tracks, std::span<const Index> row
 
 std::vector<Presence::Visit> recorded_visits(const Tracks& tracks, const Eigen::Array3d& sigma, EntryVelocity how) {
   std::vector<Presence::Visit> visits;
-  std::vector<Axis> axes;
+  std::vector<SmoothedAxis> axes;
   const bool all_recorded = tracks.has_velocity() && tracks.vel().isFinite().all();
   const bool estimated = how == EntryVelocity::estimated && !all_recorded;
   for (Index a = 0; a < tracks.dims() && estimated; ++a) axes.emplace_back(tracks, a, sigma[a]);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "libtrack/quantile.h"
+
 namespace swarmfit {
 namespace {
 

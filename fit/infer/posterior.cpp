@@ -33,7 +33,7 @@ struct Bank {
   std::vector<VectorXd> features;
 };
 
-using Rows = std::vector<std::size_t>;
+using RowList = std::vector<std::size_t>;
 
 bool inside(const Point& x, const Box& box) { return (x.array() >= box.lower.array()).all() && (x.array() <= box.upper.array()).all(); }
 
@@ -74,7 +74,7 @@ struct Standardised {
   VectorXd observed;
 };
 
-Standardised standardised(const Bank& bank, const Rows& rows, const VectorXd& observed) {
+Standardised standardised(const Bank& bank, const RowList& rows, const VectorXd& observed) {
   std::vector<VectorXd> columns;
   std::vector<double> at;
   const auto n = static_cast<Index>(rows.size());
@@ -109,7 +109,7 @@ struct Learned {
 
 // Points as rows, each coordinate through `scale` with the ends of the box.
 template <class Scale>
-MatrixXd coordinates(const Bank& bank, const Rows& rows, const Box& box, Scale scale) {
+MatrixXd coordinates(const Bank& bank, const RowList& rows, const Box& box, Scale scale) {
   MatrixXd t(static_cast<Index>(rows.size()), box.lower.size());
   for (Index i = 0; i < t.rows(); ++i)
     for (Index a = 0; a < t.cols(); ++a) t(i, a) = scale(bank.x[rows[static_cast<std::size_t>(i)]][a], box.lower[a], box.upper[a]);
@@ -117,7 +117,7 @@ MatrixXd coordinates(const Bank& bank, const Rows& rows, const Box& box, Scale s
 }
 
 // Statistics are learned on the plain scale: on the logistic one, points near the faces of the box would decide the fit.
-Learned learn(const Bank& bank, const Rows& rows, const Box& box, const VectorXd& observed) {
+Learned learn(const Bank& bank, const RowList& rows, const Box& box, const VectorXd& observed) {
   const Standardised z = standardised(bank, rows, observed);
   const MatrixXd t = coordinates(bank, rows, box, share);
   const RidgeFit fit = ridge(z.rows, t, z.observed);
@@ -135,8 +135,8 @@ Learned learn(const Bank& bank, const Rows& rows, const Box& box, const VectorXd
 }
 
 // Places of the nearest, ascending in distance.
-Rows nearest(const VectorXd& distance, std::size_t count) {
-  Rows order(static_cast<std::size_t>(distance.size()));
+RowList nearest(const VectorXd& distance, std::size_t count) {
+  RowList order(static_cast<std::size_t>(distance.size()));
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return distance[static_cast<Index>(a)] < distance[static_cast<Index>(b)]; });
@@ -145,13 +145,13 @@ Rows nearest(const VectorXd& distance, std::size_t count) {
 }
 
 struct Kept {
-  Rows rows;  // of the bank
+  RowList rows;  // of the bank
   MatrixXd statistics;
   VectorXd weight;  // Epanechnikov, sums to 1
 };
 
-Kept keep(const Rows& rows, const Learned& learned, std::size_t count) {
-  const Rows near = nearest(learned.distance, count + 1);
+Kept keep(const RowList& rows, const Learned& learned, std::size_t count) {
+  const RowList near = nearest(learned.distance, count + 1);
   const double reach = learned.distance[static_cast<Index>(near.back())];
   const auto n = static_cast<Index>(near.size() - 1);
   Kept kept{{}, MatrixXd(n, learned.statistics.cols()), VectorXd(n)};
@@ -208,7 +208,7 @@ std::vector<Point> adjusted(const Bank& bank, const Kept& kept, const Box& box) 
 
 // The sample of one round, from all simulations in the box.
 bool infer(Posterior& out, const Bank& bank, const Box& box, const VectorXd& observed, double part) {
-  Rows rows;
+  RowList rows;
   for (std::size_t r = 0; r < bank.x.size(); ++r)
     if (inside(bank.x[r], box)) rows.push_back(r);
   out.rounds.back().in_box = static_cast<int>(rows.size());
@@ -216,8 +216,8 @@ bool infer(Posterior& out, const Bank& bank, const Box& box, const VectorXd& obs
   if (total < kFewest * static_cast<double>(box.lower.size())) return false;
   const auto count = static_cast<std::size_t>(std::lround(part * total));
   Learned learned = learn(bank, rows, box, observed);
-  const Rows near = nearest(learned.distance, std::max(static_cast<std::size_t>(kLocal * total), count + 1));
-  Rows local;
+  const RowList near = nearest(learned.distance, std::max(static_cast<std::size_t>(kLocal * total), count + 1));
+  RowList local;
   for (const std::size_t place : near) local.push_back(rows[place]);
   std::sort(local.begin(), local.end());
   learned = learn(bank, local, box, observed);
@@ -302,7 +302,7 @@ std::vector<Marginal> of_prior(const Box& prior) {
 double Box::volume() const { return (upper - lower).prod(); }
 
 double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double p) {
-  Rows order(values.size());
+  RowList order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
   double squares = 0;

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "libeval/spacing.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit::order_formulas {
 namespace {
@@ -125,10 +126,7 @@ double median_radius(const Moment& moment) {
   if (moment.size() < 2) return kNaN;
   std::vector<double> radius;
   for (const Vector3d& r : moment.offsets()) radius.push_back(r.norm());
-  const auto half = radius.begin() + static_cast<std::ptrdiff_t>(radius.size() / 2);
-  std::nth_element(radius.begin(), half, radius.end());
-  if (radius.size() % 2 == 1) return *half;
-  return 0.5 * (*half + *std::max_element(radius.begin(), half));
+  return median(std::move(radius));
 }
 
 double elongation(const Moment& moment) {

@@ -21,9 +21,9 @@ constexpr std::size_t kBins = 24, kTimes = 80;
 constexpr double kMostPairs = 4e6;  // that are looked at in one recording
 
 // A mean per cell.
-struct Means {
+struct CellMeans {
   std::vector<double> sum, count;
-  explicit Means(std::size_t cells) : sum(cells, 0), count(cells, 0) {}
+  explicit CellMeans(std::size_t cells) : sum(cells, 0), count(cells, 0) {}
   void add(std::size_t cell, double value) {
     if (std::isfinite(value)) sum[cell] += value, ++count[cell];
   }
@@ -128,9 +128,9 @@ class Collector {
 
   const PictureGrid& grid_;
   std::vector<double> maps_;
-  Means turning_, acceleration_;
+  CellMeans turning_, acceleration_;
   std::vector<double> pairs_;
-  Means headings_;
+  CellMeans headings_;
   double all_pairs_ = 0;
 };
 
@@ -139,7 +139,7 @@ class Course {
  public:
   explicit Course(const PictureGrid& grid) : grid_(grid), space_(kSpaceSide * kSpaceSide, 0) {
     for (const char* key : {"polarisation", "milling", "extent"}) what_.push_back(find_order_parameter(key));
-    means_.assign(what_.size(), Means(grid.times));
+    means_.assign(what_.size(), CellMeans(grid.times));
   }
 
   void add(const Moment& moment) {
@@ -163,7 +163,7 @@ class Course {
  private:
   const PictureGrid& grid_;
   std::vector<const OrderParameter*> what_;
-  std::vector<Means> means_;
+  std::vector<CellMeans> means_;
   std::vector<double> space_;
   double seen_ = 0;
 };

@@ -45,7 +45,7 @@ enum Kind : std::uint8_t { outbound, laden, unladen };
 enum class Action { walk, stop, turn };
 
 // Private columns: the way it walks, how long it waits still [s], and its role.
-enum Column : Index { kHeading, kWaiting = 2, kRole, kColumns };
+enum : Index { kHeading, kWaiting = 2, kRole, kColumns };
 
 // Probability that so many unladen ants follow a laden one: 0 .. 15. That of 10 is 0 by a slip of the published program.
 constexpr std::array<double, 16> kFollowers{.01, .25, .13, .13, .11, .09, .06, .05, .03, .053, 0, .025, .025, .012, .013, .012};

@@ -95,7 +95,7 @@ enum Row : std::size_t {
 };
 
 // Private columns: the stimulus being met (its index + 1; 0: none), the angle drawn for it, and the force of noise=ou (three components).
-enum Column : Index { kStimulus, kTheta, kEta };
+enum : Index { kStimulus, kTheta, kEta };
 constexpr Index kColumns = kEta + 3;
 
 const std::vector<Option>& option_table() {

@@ -38,7 +38,7 @@ using Eigen::Array3d;
 enum Row : std::size_t { kRange, kNeighbours, kRadius, kMaxSpeed, kTimeHorizon, kGoalRadius, kGoalTime, kJitter };
 
 // Private columns: the goal [unit], and when it was chosen [s].
-enum Column : Index { kGoal, kChosen = kGoal + 3, kColumns };
+enum : Index { kGoal, kChosen = kGoal + 3, kColumns };
 
 double length(const Array3d& a) { return std::sqrt(a.square().sum()); }
 

@@ -65,7 +65,7 @@ enum Row : std::size_t {
 };
 
 // Private columns: a heading outlasts standing still, and the velocity the decision it belongs to.
-enum Column : Index { kHeading, kCollects = 2, kColumns };
+enum : Index { kHeading, kCollects = 2, kColumns };
 
 constexpr double kNear = 3;  // a shepherd slows down for sheep nearer than this times r_a
 

@@ -42,7 +42,7 @@ using Eigen::Array3d;
 enum Row : std::size_t { kSpeed, kRadius, kEta, kEtaVectorial, kTau };
 
 // Private columns: with update=old the direction found at the last decision, to be taken at the next.
-enum Column : Index { kFound };
+enum : Index { kFound };
 
 class Vicsek : public Model {
  public:

@@ -9,17 +9,12 @@
 #include <numbers>
 
 #include "libtrack/error.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {
 
 constexpr double kEquator = 6378137, kFlattening = 1 / 298.257223563;  // WGS 84
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 void check_on_earth(const RawTable& table) {
   const auto& longitude = table[FileColumn::x];

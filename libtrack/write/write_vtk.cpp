@@ -114,7 +114,7 @@ std::string vtp_of_bodies(std::span<const Polyhedron> bodies) {
   return out += kFoot;
 }
 
-std::string escaped(std::string_view text) {
+std::string in_xml(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
   return out;
@@ -133,7 +133,7 @@ void to_vtk(const Surrounded& all, const std::string& path, const PutFile& put) 
   if (!path.ends_with(kEnding) || path.size() == kEnding.size())
     throw InputError("'" + path + "' cannot be a series of VTK files; expected a name that ends on .pvd");
   const std::string folder = path.substr(0, path.size() - kEnding.size());
-  const std::string within = escaped(folder.substr(folder.find_last_of('/') + 1)) + "/";
+  const std::string within = in_xml(folder.substr(folder.find_last_of('/') + 1)) + "/";
   std::string list = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
   const auto add = [&](double t, int part, const std::string& name) {
     list += "<DataSet timestep=\"";

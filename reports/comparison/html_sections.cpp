@@ -135,7 +135,7 @@ Html warnings(const Comparison& c) {
 Html ranking(const Comparison& c) {
   HtmlTable table("Models by score");
   table.sortable().look("frozen");
-  const auto columns = ranking_columns(c, Reader::page);
+  const auto columns = ranking_columns(c, Audience::page);
   const auto row = [&](const HtmlTable::Cell& model, auto cell) {
     Cells cells = {cell(*columns.front()), model};
     for (std::size_t k = 1; k < columns.size(); ++k) cells.push_back(cell(*columns[k]));
@@ -149,9 +149,9 @@ Html ranking(const Comparison& c) {
     for (const std::string& remark : remarks(r)) name += element("span", "flag", escaped(remark));
     const auto cell = [&](const Quantity& q) -> HtmlTable::Cell {
       const Certainty& sure = r.standing.certainty;
-      if (q.key != "score_ci") return number_cell(q.print(c, r, Reader::page));
+      if (q.key != "score_ci") return number_cell(q.print(c, r, Audience::page));
       Html drawn = interval_drawing(r.standing.score, sure.lower, sure.upper, scale.lower, scale.upper, k);
-      drawn += element("span", "n note", escaped(in_print(q.print(c, r, Reader::page))));
+      drawn += element("span", "n note", escaped(in_print(q.print(c, r, Audience::page))));
       return {.content = drawn};
     };
     table.row(row(name_cell(name), cell), r.standing.rank == 1 ? "first" : "");

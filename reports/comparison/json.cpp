@@ -122,8 +122,8 @@ Json json_of(const Value& value) {
       [](const auto& v) -> Json {
         using T = std::decay_t<decltype(v)>;
         if constexpr (std::is_same_v<T, std::optional<int>>) return v ? Json(*v) : Json();
-        if constexpr (std::is_same_v<T, Interval>) return {v.first, v.second};
-        if constexpr (!std::is_same_v<T, std::optional<int>> && !std::is_same_v<T, Interval>) return v;
+        if constexpr (std::is_same_v<T, IntervalEnds>) return {v.first, v.second};
+        if constexpr (!std::is_same_v<T, std::optional<int>> && !std::is_same_v<T, IntervalEnds>) return v;
       },
       value);
 }

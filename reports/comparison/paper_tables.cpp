@@ -58,14 +58,14 @@ PaperTable ranking(const Comparison& c) {
                "(models with the same letter are not distinguishable; model confidence set, 95 %), the goodness-of-fit p, and the skill. ",
                {"model"},
                {}};
-  const auto columns = ranking_columns(c, Reader::page);
+  const auto columns = ranking_columns(c, Audience::page);
   for (const Quantity* q : columns) t.head.emplace_back(q->head);
   if (const std::string skill = what_skill_means(c); !skill.empty()) t.caption += "Skill: " + skill + ' ';
   t.caption += in_print(what_held_out_means(c)) + ' ';
   t.caption += origin(c);
   for (const ModelFit& r : c.models) {
     Row row = {r.model};
-    for (const Quantity* q : columns) row.push_back(in_print(q->print(c, r, Reader::page)));
+    for (const Quantity* q : columns) row.push_back(in_print(q->print(c, r, Audience::page)));
     t.rows.push_back(std::move(row));
   }
   const Estimate& walker = c.recording.skill.walker;

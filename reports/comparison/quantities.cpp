@@ -18,14 +18,14 @@ std::int64_t fitted_parameters(const ModelFit& m) {
   return std::count_if(m.parameters.begin(), m.parameters.end(), [](const ParameterResult& p) { return p.fitted; });
 }
 
-std::string rank_and_group(const Comparison&, const ModelFit& m, Reader) {
+std::string rank_and_group(const Comparison&, const ModelFit& m, Audience) {
   return m.standing.rank > 0 ? fmt::format("{} {}", m.standing.rank, group_letter(m)) : kUndefined;
 }
 
 // With its standard error where there is room.
-std::string skill_text(const Comparison&, const ModelFit& m, Reader reader) {
+std::string skill_text(const Comparison&, const ModelFit& m, Audience audience) {
   const Estimate& skill = m.likeness.skill;
-  return reader == Reader::terminal ? fixed(skill.value, 2) : with_error(skill.value, skill.se, 2);
+  return audience == Audience::terminal ? fixed(skill.value, 2) : with_error(skill.value, skill.se, 2);
 }
 
 }  // namespace
@@ -33,40 +33,40 @@ std::string skill_text(const Comparison&, const ModelFit& m, Reader reader) {
 // NOLINTNEXTLINE(readability-function-size): a table, one entry per quantity
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all = {
-      {"rank", "1 is best", [](const ModelFit& m) { return place(m.standing.rank); }, "rank", Reader::terminal, rank_and_group},
+      {"rank", "1 is best", [](const ModelFit& m) { return place(m.standing.rank); }, "rank", Audience::terminal, rank_and_group},
       {"score", "E, the weighted score that decides: higher is better", [](const ModelFit& m) -> Value { return m.standing.score; },
-       "score", Reader::terminal, [](const Comparison&, const ModelFit& m, Reader) { return fixed(m.standing.score, 3); }},
+       "score", Audience::terminal, [](const Comparison&, const ModelFit& m, Audience) { return fixed(m.standing.score, 3); }},
       {"score_ci", "95 % interval of the score across recordings of this length",
        [](const ModelFit& m) -> Value {
-         return Interval{m.standing.certainty.lower, m.standing.certainty.upper};
+         return IntervalEnds{m.standing.certainty.lower, m.standing.certainty.upper};
        },
-       "95 %", Reader::terminal, [](const Comparison&, const ModelFit& m, Reader) { return score_interval(m); }},
+       "95 %", Audience::terminal, [](const Comparison&, const ModelFit& m, Audience) { return score_interval(m); }},
       {"lead_ci", "95 % interval of the first model's lead over this one",
        [](const ModelFit& m) -> Value {
-         return Interval{m.standing.certainty.lead_lower, m.standing.certainty.lead_upper};
+         return IntervalEnds{m.standing.certainty.lead_lower, m.standing.certainty.lead_upper};
        }},
       {"group", "models of one group are not distinguishable; 1 is the best",
        [](const ModelFit& m) { return place(m.standing.certainty.group); }},
       {"set_p", "p at which the model leaves the model confidence set",
        [](const ModelFit& m) -> Value { return m.standing.certainty.set_p; }},
       {"gof_p", "goodness of fit: fraction of recordings simulated from the model that fit it no better than this one",
-       [](const ModelFit& m) -> Value { return m.standing.certainty.gof_p; }, "fit p", Reader::terminal,
-       [](const Comparison& c, const ModelFit& m, Reader) { return fit_p(c, m); }},
+       [](const ModelFit& m) -> Value { return m.standing.certainty.gof_p; }, "fit p", Audience::terminal,
+       [](const Comparison& c, const ModelFit& m, Audience) { return fit_p(c, m); }},
       {"gof_q", "gof_p, adjusted for the number of models (false discovery rate)",
        [](const ModelFit& m) -> Value { return m.standing.certainty.gof_q; }},
       {"skill", "1: as close as two halves of the recording, 0: no better than randomised tracks",
-       [](const ModelFit& m) -> Value { return m.likeness.skill.value; }, "skill", Reader::terminal, skill_text},
+       [](const ModelFit& m) -> Value { return m.likeness.skill.value; }, "skill", Audience::terminal, skill_text},
       {"skill_se", "standard error of the skill over final replicates", [](const ModelFit& m) -> Value { return m.likeness.skill.se; }},
       {"in_sample.score", "score of the fit to the whole recording, on that recording",
-       [](const ModelFit& m) -> Value { return m.standing.in_sample.score; }, "in sample", Reader::terminal,
-       [](const Comparison&, const ModelFit& m, Reader) { return fixed(m.standing.in_sample.score, 3); }},
+       [](const ModelFit& m) -> Value { return m.standing.in_sample.score; }, "in sample", Audience::terminal,
+       [](const Comparison&, const ModelFit& m, Audience) { return fixed(m.standing.in_sample.score, 3); }},
       {"in_sample.score_se", "its standard error, over single final replicates",
        [](const ModelFit& m) -> Value { return m.standing.in_sample.score_se; }},
       {"in_sample.rank", "rank by the score in sample", [](const ModelFit& m) { return place(m.standing.in_sample.rank); }},
       {"in_sample.group", "group of the scores in sample", [](const ModelFit& m) { return place(m.standing.in_sample.group); }},
       {"in_sample.score_ci", "95 % interval of the score in sample",
        [](const ModelFit& m) -> Value {
-         return Interval{m.standing.in_sample.lower, m.standing.in_sample.upper};
+         return IntervalEnds{m.standing.in_sample.lower, m.standing.in_sample.upper};
        }},
       {"held_out.gap", "score in sample minus score on the halves that were not fitted",
        [](const ModelFit& m) -> Value { return m.standing.in_sample.score - m.standing.score; }},
@@ -81,9 +81,9 @@ const std::vector<Quantity>& quantities() {
        "repeats",
        [](const ModelFit& m) -> Value { return m.standing.held_out.nearness.ratio(); }},
       {"n_parameters", "parameters that were fitted", [](const ModelFit& m) -> Value { return fitted_parameters(m); }, "fitted",
-       Reader::terminal, [](const Comparison&, const ModelFit& m, Reader) { return std::to_string(fitted_parameters(m)); }},
-      {"evaluations", "candidates simulated", [](const ModelFit& m) -> Value { return m.search.evaluations; }, "candidates", Reader::page,
-       [](const Comparison&, const ModelFit& m, Reader) { return counted(m.search.evaluations); }},
+       Audience::terminal, [](const Comparison&, const ModelFit& m, Audience) { return std::to_string(fitted_parameters(m)); }},
+      {"evaluations", "candidates simulated", [](const ModelFit& m) -> Value { return m.search.evaluations; }, "candidates", Audience::page,
+       [](const Comparison&, const ModelFit& m, Audience) { return counted(m.search.evaluations); }},
       {"simulations", "runs: candidates × replicates, the final ones included",
        [](const ModelFit& m) -> Value { return m.search.simulations; }},
       {"failed_simulations", "runs that diverged", [](const ModelFit& m) -> Value { return m.search.failed_simulations; }},
@@ -105,10 +105,10 @@ const std::vector<Quantity>& quantities() {
 
 bool known(const Quantity& quantity, const Comparison& c) { return c.recording.hold_out.used() || !quantity.key.starts_with("held_out."); }
 
-std::vector<const Quantity*> ranking_columns(const Comparison& c, Reader reader) {
+std::vector<const Quantity*> ranking_columns(const Comparison& c, Audience audience) {
   std::vector<const Quantity*> out;
   for (const Quantity& q : quantities())
-    if (q.first <= reader && q.first != Reader::nobody && known(q, c) && (q.key != "in_sample.score" || c.recording.hold_out.used()))
+    if (q.first <= audience && q.first != Audience::nobody && known(q, c) && (q.key != "in_sample.score" || c.recording.hold_out.used()))
       out.push_back(&q);
   return out;
 }

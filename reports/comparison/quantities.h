@@ -14,21 +14,21 @@
 
 namespace swarmfit {
 
-using Interval = std::pair<double, double>;
+using IntervalEnds = std::pair<double, double>;
 
 // An undefined number is NaN, a rank or group that is not known is empty.
-using Value = std::variant<double, std::int64_t, bool, std::string, std::optional<int>, Interval>;
+using Value = std::variant<double, std::int64_t, bool, std::string, std::optional<int>, IntervalEnds>;
 
 // Who reads a ranking. Each shows what those before it show, and more.
-enum class Reader { terminal, page, nobody };
+enum class Audience { terminal, page, nobody };
 
 struct Quantity {
   std::string_view key;      // "held_out.score" is a key of the object held_out, and held_out_score in tables; intervals end in _ci
   std::string_view meaning;  // a sentence without its full stop
   Value (*of)(const ModelFit&);
-  std::string_view head{};                                                            // in rankings
-  Reader first = Reader::nobody;                                                      // of the readers who see it there
-  std::string (*print)(const Comparison&, const ModelFit&, Reader reader) = nullptr;  // for them
+  std::string_view head{};                                                                // in rankings
+  Audience first = Audience::nobody;                                                      // of the readers who see it there
+  std::string (*print)(const Comparison&, const ModelFit&, Audience audience) = nullptr;  // for them
 };
 
 const std::vector<Quantity>& quantities();
@@ -37,7 +37,7 @@ const std::vector<Quantity>& quantities();
 bool known(const Quantity& quantity, const Comparison& c);
 
 // Those that this reader sees in a ranking, in order.
-std::vector<const Quantity*> ranking_columns(const Comparison& c, Reader reader);
+std::vector<const Quantity*> ranking_columns(const Comparison& c, Audience audience);
 
 // The same of numbers that every model has per column of the energy table.
 struct ColumnQuantity {

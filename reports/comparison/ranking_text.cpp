@@ -47,7 +47,7 @@ TextTable ranking_table(const Comparison& c, const std::vector<const Quantity*>&
   const auto heads = cells_of([](const Quantity& q) { return std::string(q.head); });
   table.row(row(heads.front(), "model", heads), Paint::bold);
   for (const ModelFit& r : c.models) {
-    const auto cells = cells_of([&](const Quantity& q) { return q.print(c, r, Reader::terminal); });
+    const auto cells = cells_of([&](const Quantity& q) { return q.print(c, r, Audience::terminal); });
     table.row(row(cells.front(), r.model + marks(r), cells), paint_of(r));
   }
   const Estimate& walker = c.recording.skill.walker;
@@ -59,7 +59,7 @@ TextTable ranking_table(const Comparison& c, const std::vector<const Quantity*>&
 
 // As many columns as fit; the last are left out first.
 std::string ranking_lines(const Comparison& c, TextStyle style) {
-  auto columns = ranking_columns(c, Reader::terminal);
+  auto columns = ranking_columns(c, Audience::terminal);
   std::vector<std::string> left_out;
   while (columns.size() > 2 && ranking_table(c, columns, style).width() > kTextWidth) {
     left_out.emplace_back(columns.back()->head);

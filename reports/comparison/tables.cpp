@@ -51,7 +51,7 @@ std::string rank_text(int rank) { return rank > 0 ? std::to_string(rank) : std::
 std::vector<std::string> table_keys(const Quantity& q, const Value& value) {
   std::string key(q.key);
   std::replace(key.begin(), key.end(), '.', '_');
-  if (!std::holds_alternative<Interval>(value)) return {key};
+  if (!std::holds_alternative<IntervalEnds>(value)) return {key};
   key.resize(key.size() - std::string_view("_ci").size());
   return {key + "_lower", key + "_upper"};
 }
@@ -60,7 +60,7 @@ void add(Csv& csv, const Value& value) {
   std::visit(
       [&](const auto& v) {
         using T = std::decay_t<decltype(v)>;
-        if constexpr (std::is_same_v<T, Interval>)
+        if constexpr (std::is_same_v<T, IntervalEnds>)
           csv.field(v.first).field(v.second);
         else if constexpr (std::is_same_v<T, std::optional<int>>)
           csv.field(v ? std::to_string(*v) : std::string());

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kSteps = 65535;
 
-using Run = std::span<const Index>;
+using Segment = std::span<const Index>;
 
-std::vector<Run> runs_of(const Tracks& tracks) {
-  std::vector<Run> runs;
-  for_each_segment(tracks, 1, [&](Run rows) { runs.push_back(rows); });
-  return runs;
+std::vector<Segment> segments_of(const Tracks& tracks) {
+  std::vector<Segment> segments;
+  for_each_segment(tracks, 1, [&](Segment rows) { segments.push_back(rows); });
+  return segments;
 }
 
 void put(std::string& out, std::uint32_t value) {
@@ -32,11 +32,11 @@ std::uint32_t index_in(const std::vector<std::int64_t>& clock, std::int64_t fram
   return static_cast<std::uint32_t>(found - clock.begin());
 }
 
-std::string table_of(const Tracks& tracks, const std::vector<Run>& runs, const std::vector<std::int64_t>& clock) {
+std::string table_of(const Tracks& tracks, const std::vector<Segment>& segments, const std::vector<std::int64_t>& clock) {
   std::string out;
-  for (const Run& run : runs) {
-    const auto first = static_cast<std::size_t>(run.front()), last = static_cast<std::size_t>(run.back());
-    const std::uint32_t start = index_in(clock, tracks.frame()[first]), length = static_cast<std::uint32_t>(run.size());
+  for (const Segment& segment : segments) {
+    const auto first = static_cast<std::size_t>(segment.front()), last = static_cast<std::size_t>(segment.back());
+    const std::uint32_t start = index_in(clock, tracks.frame()[first]), length = static_cast<std::uint32_t>(segment.size());
     if (index_in(clock, tracks.frame()[last]) != start + length - 1) throw std::invalid_argument("pack: a frame is not in the clock");
     put(out, tracks.track()[first]);
     put(out, start);
@@ -46,11 +46,11 @@ std::string table_of(const Tracks& tracks, const std::vector<Run>& runs, const s
 }
 
 // One axis: all low bytes, then all high bytes.
-std::string planes_of(const Tracks& tracks, const std::vector<Run>& runs, int axis, double lower, double step) {
+std::string planes_of(const Tracks& tracks, const std::vector<Segment>& segments, int axis, double lower, double step) {
   std::string low, high;
-  for (const Run& run : runs) {
+  for (const Segment& segment : segments) {
     std::uint32_t before = 0;
-    for (const Index row : run) {
+    for (const Index row : segment) {
       const auto code = step > 0 ? static_cast<std::uint32_t>(std::lround((tracks.pos()(row, axis) - lower) / step)) : 0U;
       const std::uint32_t change = code - before;
       low += static_cast<char>(change);
@@ -61,11 +61,11 @@ std::string planes_of(const Tracks& tracks, const std::vector<Run>& runs, int ax
   return low + high;
 }
 
-std::string kinds_of(const Tracks& tracks, const std::vector<Run>& runs) {
+std::string kinds_of(const Tracks& tracks, const std::vector<Segment>& segments) {
   std::string out;
   if (tracks.kinds() < 2) return out;
-  for (const Run& run : runs)
-    for (const Index row : run) out += static_cast<char>(tracks.kind(row));
+  for (const Segment& segment : segments)
+    for (const Index row : segment) out += static_cast<char>(tracks.kind(row));
   return out;
 }
 
@@ -94,18 +94,18 @@ PackedFilm pack(const Tracks& tracks, const std::vector<std::int64_t>& clock) {
   PackedFilm film;
   film.dims = tracks.dims();
   film.rows = static_cast<std::size_t>(tracks.rows());
-  const std::vector<Run> runs = runs_of(tracks);
-  film.runs = runs.size();
-  std::string bytes = table_of(tracks, runs, clock);
+  const std::vector<Segment> segments = segments_of(tracks);
+  film.runs = segments.size();
+  std::string bytes = table_of(tracks, segments, clock);
   for (int axis = 0; axis < film.dims; ++axis) {
     const auto at = static_cast<std::size_t>(axis);
     if (film.rows > 0) {
       film.lower[at] = tracks.pos().col(axis).minCoeff();
       film.step[at] = (tracks.pos().col(axis).maxCoeff() - film.lower[at]) / kSteps;
     }
-    bytes += planes_of(tracks, runs, axis, film.lower[at], film.step[at]);
+    bytes += planes_of(tracks, segments, axis, film.lower[at], film.step[at]);
   }
-  film.bytes = compressed(bytes + kinds_of(tracks, runs));
+  film.bytes = compressed(bytes + kinds_of(tracks, segments));
   return film;
 }
 

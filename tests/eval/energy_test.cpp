@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "libtrack/quantile.h"
 #include "tests/eval/build.h"
 
 namespace swarmfit {

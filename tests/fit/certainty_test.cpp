@@ -8,6 +8,7 @@
 
 #include "fit/model_fit/race.h"
 #include "fit/study/recovery.h"
+#include "libtrack/quantile.h"
 #include "tests/fit/planted.h"
 
 namespace swarmfit {

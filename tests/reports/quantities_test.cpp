@@ -27,9 +27,9 @@ TEST(Quantities, HaveKeysOfTheirOwnAndAMeaning) {
   for (const Quantity& q : quantities()) {
     EXPECT_TRUE(keys.insert(q.key).second) << q.key;
     EXPECT_FALSE(q.meaning.empty() || q.meaning.ends_with('.')) << q.key;
-    EXPECT_EQ(q.first == Reader::nobody, q.print == nullptr) << q.key;
+    EXPECT_EQ(q.first == Audience::nobody, q.print == nullptr) << q.key;
     EXPECT_EQ(q.head.empty(), q.print == nullptr) << q.key;
-    EXPECT_EQ(q.key.ends_with("_ci"), std::holds_alternative<Interval>(q.of(nobody))) << q.key;
+    EXPECT_EQ(q.key.ends_with("_ci"), std::holds_alternative<IntervalEnds>(q.of(nobody))) << q.key;
   }
   for (const ColumnQuantity& q : column_quantities()) EXPECT_TRUE(keys.insert(q.key).second) << q.key;
 }
