@@ -174,7 +174,8 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
            }},
       {.name = "searches",
        .in = kFits,
-       .help = "how often each half is searched, with other seeds: the mean score decides, and the scatter is in its interval",
+       .help = "how often each half is searched, with other seeds: the best fit is scored on the other half, and the scatter is in the "
+               "interval",
        .allowed = whole(1, kMostSearches),
        .initial = "1",
        .group = kSearch,

@@ -26,7 +26,7 @@ struct CompareOptions : SearchPlan {
   // Fit each half of the recording, too, and rank by the scores on the other (fit/compare/hold_out.h).
   enum class HoldOutWhen { never, worth_it, always };  // worth_it: if halves are long enough, and there is a ranking
   HoldOutWhen hold_out = HoldOutWhen::never;
-  int searches = 1;                 // of each half: their mean is ranked by, their scatter is in the intervals
+  int searches = 1;                 // of each half: the best fit is ranked by, the scatter is in the intervals
   bool common_dynamics = false;     // what the models have in common is fitted once, with the first (fit/compare/common_dynamics.h)
   bool posterior = false;           // the posterior of every model's parameters, too
   bool likelihood = false;          // parameters of maximum likelihood, of models that have one

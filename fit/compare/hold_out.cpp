@@ -54,10 +54,32 @@ HeldOutWay way_of(const Half& fit, const Half& held) {
 struct Searched {
   std::vector<std::vector<double>> values;  // per model
   std::vector<int> steps;
+  std::vector<Energies> fitted;  // energies in the half that was fitted
   std::vector<double> scatter;
   std::vector<std::int64_t> simulations;
+  std::vector<bool> used;  // columns
+  PerColumn<double> resolution;
   Weighting weighting;
 };
+
+// Every model as in the search that fits it best, under weights of the energies of those fits. One search alone stays as it is.
+Searched best_of(const std::vector<Searched>& searches) {
+  Searched best = searches.front();
+  if (searches.size() == 1) return best;
+  Eigen::MatrixXd table(static_cast<Index>(best.fitted.size()), static_cast<Index>(best.fitted.front().size()));
+  for (std::size_t m = 0; m < best.fitted.size(); ++m) {
+    const auto cheaper = [&](const Searched& a, const Searched& b) {
+      return cost_of(a.fitted[m], best.weighting) < cost_of(b.fitted[m], best.weighting);
+    };
+    const Searched& chosen = *std::min_element(searches.begin(), searches.end(), cheaper);
+    best.values[m] = chosen.values[m];
+    best.steps[m] = chosen.steps[m];
+    best.fitted[m] = chosen.fitted[m];
+    table.row(static_cast<Index>(m)) = Eigen::Map<const Eigen::RowVectorXd>(best.fitted[m].data(), table.cols());
+  }
+  best.weighting = entropy_weights(table, best.used, {best.resolution.begin(), best.resolution.end()});
+  return best;
+}
 
 // One half fitted, the other scored.
 class Way {
@@ -79,15 +101,17 @@ class Way {
     options.seed = seed;
     if (options.common_dynamics) options = with_common_dynamics(half_.tracks, options, on_progress_, runtime_);
     const ObservationFacts observation = observation_facts(fitted_, *target_, options);
-    const std::vector<bool> used(observation.used.begin(), observation.used.end());
-    std::vector<HistoryRow> history;
-    Calibration calibration(options, fitted_, *target_, used, history, on_progress_, runtime_);
-    calibration.run(resolution(fitted_, *target_, options, observation.error_dominated));
     Searched out;
+    out.used.assign(observation.used.begin(), observation.used.end());
+    out.resolution = resolution(fitted_, *target_, options, observation.error_dominated);
+    std::vector<HistoryRow> history;
+    Calibration calibration(options, fitted_, *target_, out.used, history, on_progress_, runtime_);
+    calibration.run(out.resolution);
     std::vector<std::vector<Energies>> selections;
     for (const ModelSearch& s : calibration.searches()) {
       out.values.push_back(s.space().parameters(s.selected().x));
       out.steps.push_back(s.objective().ensemble().steps());
+      out.fitted.push_back(s.selected().outcome.raw);
       out.simulations.push_back(s.simulations());
       selections.push_back(s.selections());
     }
@@ -96,11 +120,11 @@ class Way {
     return out;
   }
 
-  Scored score(const Searched& found, std::size_t m, std::uint64_t seed) const {
+  Scored score(const Searched& found, std::size_t m, const Weighting& weighting, std::uint64_t seed) const {
     const Objective objective = objective_of(found, m);
     const auto seeds = replicate_seeds({seed}, Stream::final_seeds, options_.budget.final_replicates);
     const Energies raw = objective.energies(found.values[m], seeds).raw;
-    return {-cost_of(raw, found.weighting), raw};
+    return {-cost_of(raw, weighting), raw};
   }
 
   Bootstrap bootstrap(const Searched& found, std::size_t m, std::uint64_t seed) const {
@@ -145,57 +169,42 @@ std::uint64_t seed_of(std::uint64_t seed, std::size_t way, int search) {
   return Rng{seed}.derive(Stream::hold_out, way + kWays * static_cast<std::size_t>(search)).seed;
 }
 
-// The score of every search, [search][model], becomes the mean and the scatter of that.
-struct Repeats {
-  std::vector<std::vector<Scored>> scores;
+// Variance of a model's score between searches; NaN for one search.
+double variance_of_searches(const Way& way, const std::vector<Searched>& searches, std::size_t m, const Weighting& weighting,
+                            std::uint64_t seed) {
+  Moments moments;
+  for (const Searched& found : searches) moments.add(way.score(found, m, weighting, seed).score);
+  return moments.count > 1 ? moments.sd() * moments.sd() : NAN;
+}
 
-  double mean(std::size_t m) const {
-    Moments moments;
-    for (const auto& one : scores) moments.add(one[m].score);
-    return moments.count > 0 ? moments.mean : NAN;
-  }
-  double variance(std::size_t m) const {
-    Moments moments;
-    for (const auto& one : scores) moments.add(one[m].score);
-    return moments.count > 1 ? moments.sd() * moments.sd() : NAN;
-  }
-};
+// Of both ways.
+Nearness mean(const Nearness& a, const Nearness& b) {
+  return {(a.simulated + b.simulated) / 2, (a.recorded + b.recorded) / 2, std::max(a.frames, b.frames)};
+}
 
-// Searches one way and adds what it found. Bootstraps, raw energies, weights and nearness are those of its first search; the score is the
-// mean of all, and their scatter that of the mean.
+// Searches one way and adds what it found.
 void add_way(HoldOut& out, Way& way, std::size_t number, const CompareOptions& options) {
-  const std::size_t models = options.models.size();
-  Repeats repeats;
-  Trial trial;
-  for (int k = 0; k < options.searches; ++k) {
-    const std::uint64_t seed = seed_of(options.seed, number, k);
-    const Searched found = way.search(seed);
-    std::vector<Scored> scored;
-    for (std::size_t m = 0; m < models; ++m) {
-      scored.push_back(way.score(found, m, seed));
-      out.models[m].simulations += found.simulations[m];
+  std::vector<Searched> searches;
+  for (int k = 0; k < options.searches; ++k) searches.push_back(way.search(seed_of(options.seed, number, k)));
+  const Searched best = best_of(searches);
+  const std::uint64_t seed = seed_of(options.seed, number, 0);
+  out.facts.ways[number].columns = way.target().columns();
+  out.facts.ways[number].weights.assign(best.weighting.weights.begin(), best.weighting.weights.end());
+  Trial trial{{}, {{}, {}, best.scatter, {seed}}, nullptr, best.weighting};
+  const auto nearness = way.nearness(best, seed);
+  for (std::size_t m = 0; m < options.models.size(); ++m) {
+    trial.models.push_back(way.score(best, m, best.weighting, seed));
+    trial.bootstraps.of.push_back(way.bootstrap(best, m, seed));
+    const double variance = variance_of_searches(way, searches, m, best.weighting, seed);
+    if (std::isfinite(variance)) trial.bootstraps.scatter[m] = std::sqrt(variance / options.searches);
+    HeldOut& model = out.models[m];
+    model.scores.push_back(trial.models[m].score);
+    model.search_sd = number == 0 ? std::sqrt(variance) : std::sqrt((std::pow(model.search_sd, 2) + variance) / 2);
+    model.nearness = number == 0 ? nearness[m] : mean(model.nearness, nearness[m]);
+    for (const Searched& found : searches) {
+      model.simulations += found.simulations[m];
       out.values[m].push_back(found.values[m]);
     }
-    repeats.scores.push_back(scored);
-    if (k > 0) continue;
-    trial = {scored, {{}, {}, found.scatter, {seed}}, nullptr, found.weighting};
-    for (std::size_t m = 0; m < models; ++m) trial.bootstraps.of.push_back(way.bootstrap(found, m, seed));
-    out.facts.ways[number].columns = way.target().columns();
-    out.facts.ways[number].weights.assign(found.weighting.weights.begin(), found.weighting.weights.end());
-    const auto nearness = way.nearness(found, seed);
-    for (std::size_t m = 0; m < models; ++m) {
-      Nearness& mean = out.models[m].nearness;
-      mean = number == 0 ? nearness[m]
-                         : Nearness{(mean.simulated + nearness[m].simulated) / 2, (mean.recorded + nearness[m].recorded) / 2,
-                                    std::max(mean.frames, nearness[m].frames)};
-    }
-  }
-  for (std::size_t m = 0; m < models; ++m) {
-    const double score = repeats.mean(m), variance = repeats.variance(m);
-    trial.models[m].score = score;
-    if (std::isfinite(variance)) trial.bootstraps.scatter[m] = std::sqrt(variance / options.searches);
-    out.models[m].scores.push_back(score);
-    out.models[m].search_sd = number == 0 ? std::sqrt(variance) : std::sqrt((std::pow(out.models[m].search_sd, 2) + variance) / 2);
   }
   out.targets.push_back(way.take_held_out_target());
   trial.target = out.targets.back().get();

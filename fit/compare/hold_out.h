@@ -30,15 +30,16 @@ bool worth_halving(const Tracks& recording);
 // The models in the order in which they were named.
 struct HoldOut {
   HoldOutFacts facts;
-  std::vector<double> scores;   // mean of both ways
+  std::vector<double> scores;   // of the best fits, mean of both ways
   std::vector<HeldOut> models;  // goodness is not known yet
   std::vector<Trial> trials;    // one per way; their targets are below
   std::vector<std::unique_ptr<Target>> targets;
   std::vector<std::vector<std::vector<double>>> values;  // per model and fit: a value per row of its table
 };
 
-// Fits every half as often as the options say, and scores it on the other under its own weights, with lags, scales, localisation error and
-// all else that is learned taken from the half that was fitted. Seeds differ from those of the fit to the whole recording.
+// Fits every half as often as the options say, and scores the best fit on the other half under weights of the fits, with lags, scales,
+// localisation error and all else that is learned taken from the half that was fitted. Seeds differ from those of the fit to the whole
+// recording.
 HoldOut hold_out(const Tracks& recording, const CompareOptions& options, const OnCompareProgress& on_progress = {},
                  const Runtime& runtime = {});
 

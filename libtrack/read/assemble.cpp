@@ -10,10 +10,9 @@
 #include "libtrack/counting_sort.h"
 #include "libtrack/error.h"
 #include "libtrack/fill_gaps.h"
-#include "libtrack/read/coarse_times.h"
-#include "libtrack/read/frame_clock.h"
 #include "libtrack/read/frame_steps.h"
 #include "libtrack/read/missing.h"
+#include "libtrack/read/number_frames.h"
 #include "libtrack/read/project.h"
 #include "libtrack/read/raw_table.h"
 #include "libtrack/resample.h"
@@ -24,7 +23,6 @@ namespace {
 
 constexpr std::array kPosition = {FileColumn::x, FileColumn::y, FileColumn::z};
 constexpr std::array kVelocity = {FileColumn::vx, FileColumn::vy, FileColumn::vz};
-constexpr double kFine = 65536, kMostFrames = 9e15;
 constexpr std::array kAcceleration = {FileColumn::ax, FileColumn::ay, FileColumn::az};
 
 std::string plural(std::size_t n, std::string_view one, std::string_view many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
@@ -50,7 +48,8 @@ class Assembly {
     demand_flags();
     std::vector<std::uint32_t> seen = drop_unseen();
     order_rows(seen);
-    number_frames();
+    auto [frame, dt, t0] = number_frames(table_, options_, order_, first_);
+    frame_ = std::move(frame), dt_ = dt, t0_ = t0;
     check_individuals();
     select();
     drop_duplicates();
@@ -131,13 +130,7 @@ class Assembly {
       fail(fmt::format("the file states the unit {} but `unit` says {}; expected the same or none given", table_.unit, options_.unit));
     if (options_.fps && !(*options_.fps > 0 && std::isfinite(*options_.fps)))
       throw InputError(fmt::format("`fps`: {} is no frame rate; expected a number above 0", *options_.fps));
-    if (options_.fps && table_.dt > 0) check_rate(1 / table_.dt, "the file states");
-  }
-
-  void check_rate(double in_file, std::string_view words) const {
-    if (options_.fps && std::abs(*options_.fps / in_file - 1) > 0.01)
-      fail(fmt::format("{} {:.6g} frames per second but `fps` says {:.6g}; expected the same within 1 %, or none given", words, in_file,
-                       *options_.fps));
+    if (options_.fps && table_.dt > 0) check_rate(table_, options_, 1 / table_.dt, "the file states");
   }
 
   std::vector<std::uint32_t> drop_unseen() {
@@ -200,85 +193,6 @@ class Assembly {
                        plural(backwards, "place", "places"), table_.place(place)));
   }
 
-  std::vector<double> ordered(FileColumn c) const {
-    std::vector<double> out;
-    out.reserve(order_.size());
-    for (const auto row : order_) out.push_back(table_[c][row]);
-    return out;
-  }
-
-  void number_frames() {
-    const double stated = table_.dt > 0 ? table_.dt : options_.fps ? 1 / *options_.fps : 0;
-    if (!has(FileColumn::t)) return use_frames(stated, table_.t0);
-    const auto time = ordered(FileColumn::t);
-    if (has(FileColumn::frame) && stated > 0 && times_are_rounded(time, stated)) return use_frames(stated, table_.t0);
-    if (options_.resample && !(stated > 0) && !has(FileColumn::frame)) return use_fine_grid(time);
-    FrameClock clock = has(FileColumn::frame) ? fit_known_frames(time, ordered(FileColumn::frame)) : fit_frame_clock(time, first_);
-    if (!has(FileColumn::frame)) look_behind_rounding(clock, time, stated);
-    if (clock.dt == 0 && stated > 0) return use_rate(time, clock, stated);
-    if (clock.dt == 0 && !(time.front() < time.back())) fail(clock.problem + "; expected `fps`, for example `fps` 25");
-    if (!clock.problem.empty()) fail(clock.problem + "; expected time stamps at a constant interval (`fps` puts them on one)");
-    check_rate(1 / clock.dt, "the time stamps say");
-    if (table_.dt > 0 && std::abs(table_.dt / clock.dt - 1) > 0.01)
-      fail(fmt::format("the time stamps say {:.6g} s per frame but the file states {:.6g} s; expected the same within 1 %", clock.dt,
-                       table_.dt));
-    if (clock.deviation > 1e-6 * clock.dt)
-      note(fmt::format("time stamps were binned to the frame interval {:.9g} s; the largest deviation is {:.3g} s ({:.2g} of it)", clock.dt,
-                       clock.deviation, clock.deviation / clock.dt));
-    if (has(FileColumn::frame) && table_.dt > 0) return use_frames(table_.dt, table_.t0);
-    dt_ = clock.dt;
-    t0_ = clock.t0;
-    frame_ = std::move(clock.frame);
-  }
-
-  // Times without an interval of their own: one single moment, or irregular ones.
-  void use_rate(const std::vector<double>& time, const FrameClock& clock, double stated) {
-    double worst = 0;
-    if (!countable(time, stated) || !(std::abs(table_.t0) / stated <= kMostFrames))
-      fail(fmt::format("{}, and frames of {:.6g} s cannot be counted up to it; expected another rate", clock.problem, stated));
-    for (const double t : time) {
-      frame_.push_back(std::llround((t - table_.t0) / stated));
-      worst = std::max(worst, std::abs(t - table_.t0 - static_cast<double>(frame_.back()) * stated));
-    }
-    dt_ = stated;
-    const bool moment = *std::min_element(time.begin(), time.end()) == *std::max_element(time.begin(), time.end());
-    t0_ = table_.dt > 0 ? table_.t0 : moment ? time[0] - static_cast<double>(frame_[0]) * stated : 0;
-    if (!moment)
-      note(fmt::format("{}; rows were put on the nearest frame of {:.6g} s, {}", clock.problem, stated,
-                       worst > 0 ? fmt::format("by up to {:.3g} s away", worst) : "where all of them lie"));
-  }
-
-  // Times that are resampled count as they stand: on a grid so fine that the nearest frame is the time itself.
-  void use_fine_grid(const std::vector<double>& time) {
-    const auto [first, last] = std::minmax_element(time.begin(), time.end());
-    dt_ = 1 / (*options_.resample * kFine);
-    t0_ = std::floor(*first);
-    if ((*last - t0_) / dt_ > kMostFrames)
-      fail(fmt::format("it lasts {:.6g} s, too long for `resample` {:.6g}; expected a lower rate", *last - *first, *options_.resample));
-    for (const double t : time) frame_.push_back(std::llround((t - t0_) / dt_));
-  }
-
-  // Whole seconds beside frame numbers at 25 Hz say nothing that the frames do not.
-  bool times_are_rounded(const std::vector<double>& time, double dt) {
-    const double step = written_step(time);
-    if (!(step > dt) || !only_rounded(time, ordered(FileColumn::frame), dt, step)) return false;
-    note(fmt::format("times are written in steps of {:.6g} s, more coarsely than frames follow each other: the frame numbers count", step));
-    return true;
-  }
-
-  // Times with two decimals of a camera at 60 Hz are no clock of 100 Hz with gaps.
-  void look_behind_rounding(FrameClock& clock, const std::vector<double>& time, double stated) const {
-    const double step = written_step(time);
-    if (clock.dt == 0 || step == 0) return;
-    if (clock.problem.empty() && !ticks_like_rounding(clock, first_, step)) return;
-    auto better = stated > 0 ? clock_behind_rounding(time, first_, step, stated) : clock_behind_rounding(time, step);
-    if (better) {
-      clock = std::move(*better);
-    } else if (clock.problem.empty() && !(stated > 0)) {
-      fail(fmt::format("times are written in steps of {:.6g} s, too coarsely to tell the frame interval; expected `fps`", step));
-    }
-  }
-
   // An id that is new in every row numbers rows, unless the file is one that knows its frames, as what `convert` writes does.
   void check_individuals() {
     const auto [low, high] = std::minmax_element(frame_.begin(), frame_.end());
@@ -286,12 +200,6 @@ class Assembly {
     if (options_.columns.empty() && !(table_.dt > 0))
       fail("the id is new in every row, so it numbers rows and not individuals; expected `columns` to name the individual (id=NAME,...)");
     note("the id is new in every row: no individual is seen twice");
-  }
-
-  void use_frames(double dt, double t0) {
-    for (const auto row : order_) frame_.push_back(static_cast<std::int64_t>(table_[FileColumn::frame][row]));
-    dt_ = dt;
-    t0_ = t0;
   }
 
   void select() {

@@ -326,9 +326,10 @@ std::string what_held_out_means(const Comparison& c) {
   if (!h.used()) return c.models.size() > 1 ? "score: in sample, of the frames that the models were fitted to." : "";
   const HeldOutWay& w = h.ways.front();
   return fmt::format(
-      "score: every model is fitted to frames {} to {} and scored on frames {} to {}, and the other way round; the score is the mean{}. in "
+      "score: every model is fitted to frames {} to {} and scored on frames {} to {}, and the other way round{}; the score is the mean. in "
       "sample: score of the fit to the whole recording.",
-      w.fitted_first, w.fitted_last, w.held_first, w.held_last, h.searches > 1 ? fmt::format(" of {} searches each", h.searches) : "");
+      w.fitted_first, w.fitted_last, w.held_first, w.held_last,
+      h.searches > 1 ? fmt::format(", the best of {} searches each", h.searches) : "");
 }
 
 std::string halves_text(const ParameterResult& p) {

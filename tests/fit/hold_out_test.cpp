@@ -127,7 +127,7 @@ TEST(HoldOut, AWayIsAComparisonOfOneHalfScoredOnTheOther) {
   EXPECT_EQ(held.facts.ways[1].held_last, conditions.recording.frames().back().number);
 }
 
-TEST(HoldOut, SeveralSearchesAreAveragedAndTheirScatterIsKnown) {
+TEST(HoldOut, SeveralSearchesAndTheirScatter) {
   const Tracks recording = film(300);
   auto options = tiny();
   const HoldOut one = hold_out(recording, options);
@@ -139,6 +139,36 @@ TEST(HoldOut, SeveralSearchesAreAveragedAndTheirScatterIsKnown) {
   EXPECT_NE(three.values[0][1], three.values[0][0]);
   EXPECT_GT(three.models[0].search_sd, 0);
   EXPECT_GT(three.models[0].simulations, 2 * one.models[0].simulations);
+}
+
+// Of three searches of the first half, the scored one lies nearest to that half.
+TEST(HoldOut, OfSeveralSearchesTheBestFitIsScored) {
+  const Tracks recording = film(300);
+  auto options = tiny();
+  options.searches = 3;
+  options.budget.final_replicates = 12;
+  const HoldOut held = hold_out(recording, options);
+  const auto [first, second] = halves(recording);
+  const Conditions fitted = make_conditions(first.tracks, options.conditions, first.warm_up);
+  const Conditions scored = held_out_conditions(second.tracks, fitted, second.warm_up);
+  const Target here(recorded_samples(fitted.recording, fitted.metrics), options.binning);
+  const Target there(recorded_samples(scored.recording, scored.metrics), options.binning);
+  const Trial& trial = held.trials[0];
+  const auto seeds = replicate_seeds(trial.bootstraps.root, Stream::final_seeds, 12);
+  const ModelChoice model = parse_model("bswarm");
+  const int steps = of(compare(recording, options), "bswarm").runs.steps;
+  std::vector<double> far;
+  std::vector<bool> chosen;
+  for (int k = 0; k < 3; ++k) {
+    Objective fit(model, fitted, here), score(model, scored, there);
+    fit.use_steps(steps), score.use_steps(steps);
+    const auto& values = held.values[0][static_cast<std::size_t>(k)];
+    far.push_back(cost_of(fit.energies(values, replicate_seeds({7}, Stream::final_seeds, 12)).raw, trial.weighting));
+    chosen.push_back(score.energies(values, seeds).raw == trial.models[0].raw);
+  }
+  EXPECT_EQ(std::count(chosen.begin(), chosen.end(), true), 1);
+  EXPECT_TRUE(chosen[static_cast<std::size_t>(std::min_element(far.begin(), far.end()) - far.begin())])
+      << ::testing::PrintToString(far) << ::testing::PrintToString(chosen);
 }
 
 Eigen::Array3d centre_of(const Tracks& t) { return t.pos().colwise().mean().transpose(); }
