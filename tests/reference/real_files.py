@@ -207,8 +207,7 @@ def ellipsoid(latitude, longitude, centre):
 
 
 def projected(rows):
-    upper = lambda values: sorted(values)[len(values) // 2]
-    centre = upper([row[3] for row in rows]), upper([row[2] for row in rows])
+    centre = statistics.median(row[3] for row in rows), statistics.median(row[2] for row in rows)
     return [(who, when, *ellipsoid(latitude, longitude, centre)) for who, when, longitude, latitude in rows]
 
 
