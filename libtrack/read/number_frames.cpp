@@ -128,8 +128,9 @@ class Numbering {
 
 void check_rate(const RawTable& table, const ReadOptions& options, double in_file, const char* words) {
   if (options.fps && std::abs(*options.fps / in_file - 1) > 0.01)
-    throw InputError(table.file + ": " + fmt::format("{} {:.6g} frames per second but `fps` says {:.6g}; expected the same within 1 %, or none given", words, in_file,
-                   *options.fps));
+    throw InputError(table.file + ": " +
+                     fmt::format("{} {:.6g} frames per second but `fps` says {:.6g}; expected the same within 1 %, or none given", words,
+                                 in_file, *options.fps));
 }
 
 NumberedFrames number_frames(RawTable& table, const ReadOptions& options, const std::vector<std::uint32_t>& order,

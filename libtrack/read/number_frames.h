@@ -14,8 +14,8 @@ struct NumberedFrames {
   double dt = 0, t0 = 0;            // [s] of a frame, and of frame 0
 };
 
-// `order`: rows of the table, grouped by individual and ascending in time; individual k has order[first[k] .. first[k + 1]). What was decided
-// on the way becomes a note of the table. Throws InputError where times and rates contradict each other, or do not tell the frames.
+// `order`: rows of the table, grouped by individual and ascending in time; individual k has order[first[k] .. first[k + 1]). What was
+// decided on the way becomes a note of the table. Throws InputError where times and rates contradict each other, or do not tell the frames.
 NumberedFrames number_frames(RawTable& table, const ReadOptions& options, const std::vector<std::uint32_t>& order,
                              const std::vector<std::size_t>& first);
 
