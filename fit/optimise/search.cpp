@@ -56,6 +56,7 @@ void try_response_surface(Found& found, const BatchCost& cost, const std::vector
   }
 }
 
+// The genetic algorithm, from as many beginnings as the budget is worth.
 SearchResult evolve(int dimensions, const BatchCost& cost, const SearchOptions& options, const EvolutionOptions& whole, const Rng& rng,
                     const std::vector<Evaluated>& start, const OnGeneration& on_generation) {
   const std::int64_t budget = budget_of(whole), least = std::int64_t{kFewestGenerations} * whole.population;
@@ -82,10 +83,10 @@ SearchResult evolve(int dimensions, const BatchCost& cost, const SearchOptions& 
   };
   const auto each = static_cast<std::int64_t>(kBeginnings * static_cast<double>(budget)) / beginnings;
   for (std::int64_t k = 0; k < beginnings && all.stop != Stop::interrupted; ++k) run(each, k, k == 0 ? start : std::vector<Evaluated>{});
+  if (all.stop == Stop::interrupted) return all;
+  all.best.clear();  // they are the last population, as far as they are good enough
   std::vector<Evaluated> known = start;
   append_succeeded(known, all.visited);
-  if (all.stop == Stop::interrupted) return all;
-  all.best.clear();  // they are the last population
   run(budget - all.evaluations, beginnings, known);
   return all;
 }
