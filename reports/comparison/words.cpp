@@ -87,7 +87,10 @@ Headline single(const Comparison& c, const ModelFit& only) {
 }
 
 Headline tied(const Comparison& c, const std::vector<std::string>& together, const std::vector<const ModelFit*>& scored) {
-  const ModelFit &first = *scored[0], &second = *scored[1];
+  const ModelFit& first = *scored[0];
+  // The model with the second score may be told from the first where one with the third cannot, which scatters more.
+  const ModelFit& second = **std::find_if(scored.begin() + 1, scored.end(),
+                                          [&](const ModelFit* r) { return r->standing.certainty.group == first.standing.certainty.group; });
   return {Verdict::tie,
           all_rejected(scored)
               ? fmt::format("Every fitted model is rejected (p ≤ 0.05); {} are least wrong and not distinguishable.", enumerate(together))

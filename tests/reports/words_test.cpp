@@ -41,6 +41,13 @@ TEST(Headline, ModelsOfTheBestGroupAreATie) {
   EXPECT_THAT(h.detail, HasSubstr("a has the highest score, but its lead over b, 0.100, is within chance (p = 0.5)."));
 }
 
+// The second may be told from the first where the third cannot.
+TEST(Headline, TheLeadWithinChanceIsOverAModelOfTheSameGroup) {
+  const Headline h = headline(in_groups({1, 2, 1}));
+  EXPECT_EQ(h.sentence, "a and c are not distinguishable with this recording and budget.");
+  EXPECT_THAT(h.detail, HasSubstr("its lead over c, 0.200, is within chance"));
+}
+
 TEST(Headline, SaysThatNoModelExplainsTheRecording) {
   Comparison c = in_groups({1, 2});
   c.models[0].standing.certainty.gof_p = c.models[0].standing.certainty.gof_q = 0.01;
