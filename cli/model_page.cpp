@@ -30,18 +30,18 @@ std::string fit_unit(const Parameter& p) {
 std::string range_text(const Range& range) { return fmt::format("{:.4g} ({:.4g} – {:.4g})", range.initial, range.lower, range.upper); }
 
 // Inside a table a bar ends a cell.
-std::string cell(std::string_view text) {
+std::string markdown_cell(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
   return out;
 }
 
-std::string code_cell(std::string_view text) { return text.empty() ? "" : fmt::format("`{}`", cell(text)); }
+std::string code_cell(std::string_view text) { return text.empty() ? "" : fmt::format("`{}`", markdown_cell(text)); }
 
 std::string parameter_row(const Parameter& p) {
-  return fmt::format("| `{}` | {} | {} | {} | {} | {} {} | {} | {} | {} |\n", p.name, p.symbol, cell(p.meaning),
+  return fmt::format("| `{}` | {} | {} | {} | {} | {} {} | {} | {} | {} |\n", p.name, p.symbol, markdown_cell(p.meaning),
                      to_string(p.unit, "length"), range_text(p.scene), range_text(p.fit), fit_unit(p), p.fitted ? "yes" : "",
-                     code_cell(p.when), cell(p.source));
+                     code_cell(p.when), markdown_cell(p.source));
 }
 
 std::string row_text(const Parameter& p) {
@@ -95,7 +95,7 @@ std::string model_page(const ModelSpec& spec) {
   if (!spec.options.empty()) {
     page += "\n## Options\n\n| option | values, the default first | meaning |\n|---|---|---|\n";
     for (const Option& o : spec.options)
-      page += fmt::format("| `{}` | `{}` | {} |\n", o.name, fmt::join(o.values, "`, `"), cell(o.meaning));
+      page += fmt::format("| `{}` | `{}` | {} |\n", o.name, fmt::join(o.values, "`, `"), markdown_cell(o.meaning));
     const Option& first = spec.options.front();
     page += fmt::format("\nOptions travel with the name: `'{}[{}={}]'`.\n", spec.name, first.name, first.values.back());
   }

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kMostCandidates = 1e9, kMostReplicates = 1'000, kMostSearches = 100, kMostBins = 100'000, kMostIndividuals = 10'000;
 constexpr double kStrongestSmoothing = 10'000;  // frames
-constexpr double kMostRecordings = 10'000;      // per model
 constexpr int kRen2016Passes = 10;              // of the calibration loop; the paper iterates until the weights settle and names no limit
 constexpr std::string_view kSearch = "Search", kConditions = "Conditions", kScoring = "Scoring";
 

@@ -9,20 +9,19 @@ namespace {
 constexpr double kMostFrames = 10'000'000;
 constexpr double kMostAgents = 10'000'000;     // of simulate
 constexpr double kMostAnimals = 100'000;       // of a recording that is fitted
-constexpr double kMostRecordings = 10'000;     // per model
-constexpr double kSlowest = 1e-6;              // frames per second: many steps of a model lie between two frames
+constexpr double kFewestPerSecond = 1e-6;      // frames per second: many steps of a model lie between two frames
 constexpr double kSmall = 1e-9, kLarge = 1e9;  // lengths and speeds, in any unit
 
 // Nothing that is not given is changed: a scenario says all, and a model alone stands for one with 100 agents for 500 frames of 0.01 s in a
 // box of side 20. One that learns from a recording moves in the open, in the recording's units and frames.
 constexpr decltype(Setting::elsewhere) kTheScenarios{kSimulate, ""};
 
-std::vector<Setting> of_both() {
+std::vector<Setting> of_all_scenes() {
   return {
       {.name = "fps",
        .in = kSimulate | kRecover | kSweep,
        .help = "frames per second",
-       .allowed = above(kSlowest, kLarge),
+       .allowed = above(kFewestPerSecond, kLarge),
        .initial = "100",
        .elsewhere = kTheScenarios,
        .use =
@@ -179,7 +178,7 @@ std::vector<Setting> scene_settings() {
        .initial = "300",
        .use = [](Arguments& a, const Value& v) { a.recovery.film.frames = v.whole<std::int64_t>(); }},
   };
-  for (const auto& part : {of_both(), of_recover(), of_simulate()}) all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part : {of_all_scenes(), of_recover(), of_simulate()}) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

@@ -8,6 +8,8 @@
 
 namespace swarmfit::cli {
 
+inline constexpr double kMostRecordings = 10'000;  // that a study makes with a model
+
 std::vector<Setting> data_settings();        // what a command works on, and how that is read
 std::vector<Setting> run_settings();         // how a command runs
 std::vector<Setting> scene_settings();       // what is simulated and filmed

@@ -7,22 +7,18 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <set>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/quantile.h"
+#include "libtrack/vectors.h"
 
 namespace swarmfit {
 namespace {
 
 using Eigen::Array3d;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-double dot(const Array3d& a, const Array3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double length(const Array3d& a) { return std::sqrt(dot(a, a)); }
 
 // ---- what was asked --------------------------------------------------------------------------------------------------------------
 

@@ -2,8 +2,9 @@
 #include "libeval/distance.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -21,7 +22,7 @@ double difference(const Histogram& a, const Histogram& b, std::size_t bin) {
 }  // namespace
 
 double total_variation(const Histogram& a, const Histogram& b) {
-  if (a.samples == 0 || b.samples == 0) return std::numeric_limits<double>::quiet_NaN();
+  if (a.samples == 0 || b.samples == 0) return kNaN;
   require_same_bins(a, b);
   double sum = 0;
   for (std::size_t i = 0; i < a.counts.size(); ++i) sum += std::abs(difference(a, b, i));
@@ -29,7 +30,7 @@ double total_variation(const Histogram& a, const Histogram& b) {
 }
 
 double wasserstein(const Histogram& a, const Histogram& b, double width) {
-  if (a.samples == 0 || b.samples == 0) return std::numeric_limits<double>::quiet_NaN();
+  if (a.samples == 0 || b.samples == 0) return kNaN;
   require_same_bins(a, b);
   double ahead = 0, sum = 0;
   for (std::size_t i = 0; i < a.counts.size(); ++i) {

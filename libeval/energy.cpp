@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 
 #include "libtrack/hot.h"
+#include "libtrack/nan.h"
 #include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSpreadFloor = 0.01;  // of |mean|, or of the natural scale of eta: a standard deviation never counts as smaller
 constexpr double kRounding = 1e-9;     // of the natural scale: a smaller standard deviation is rounding
 

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "libtrack/vectors.h"
+
 namespace swarmfit {
 namespace {
 
 using Eigen::Array3d;
-
-double length(const Array3d& a) { return std::sqrt(a.square().sum()); }
 
 struct HerdMoment {
   std::int64_t frame;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 
+#include "libtrack/nan.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
@@ -19,7 +19,7 @@ struct HerdingOptions {
 
 // Means are over the frames up to homecoming, or all of them. NaN where there is nothing to measure.
 struct Herding {
-  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double kNone = kNaN;
   double time = kNone;          // from the first frame to homecoming [s]; NaN: they never come home
   double collecting = kNone;    // share of frames in which some sheep is farther than r_a N^(2/3) from the centre of all N
   double spread = kNone;        // mean distance to that centre [unit]

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "libeval/energy.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 using Series = std::vector<std::vector<double>>;
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "libtrack/nan.h"
+
 namespace swarmfit {
 
 std::vector<WithoutOne> leave_one_out(const Eigen::MatrixXd& energies, const std::vector<bool>& use,
@@ -13,7 +15,7 @@ std::vector<WithoutOne> leave_one_out(const Eigen::MatrixXd& energies, const std
   std::vector<WithoutOne> out;
   if (models < 3) return out;
   for (Eigen::Index dropped = 0; dropped < models; ++dropped) {
-    WithoutOne w{dropped, {}, std::vector<double>(static_cast<std::size_t>(models), std::numeric_limits<double>::quiet_NaN()), {}};
+    WithoutOne w{dropped, {}, std::vector<double>(static_cast<std::size_t>(models), kNaN), {}};
     Eigen::MatrixXd rest(models - 1, energies.cols());
     rest << energies.topRows(dropped), energies.bottomRows(models - 1 - dropped);
     w.weighting = entropy_weights(rest, use, resolution);

@@ -8,6 +8,7 @@
 
 #include "libeval/rounding.h"
 #include "libeval/white_part.h"
+#include "libtrack/nan.h"
 #include "libtrack/normals.h"
 #include "libtrack/quantile.h"
 
@@ -230,7 +231,7 @@ PerColumn<double> error_share(const Tracks& tracks, const Eigen::Array3d& sigma,
     const double before = squared_iqr(once.values[m]), after = squared_iqr(twice.values[m]);
     const bool defined = before > 0 && std::isfinite(after);
     const bool visible = std::sqrt(after) >= kVisible * deviation(once.values[m]);
-    out[m] = !defined ? std::numeric_limits<double>::quiet_NaN() : visible ? std::clamp(after / before - 1, 0.0, 1.0) : 0;
+    out[m] = !defined ? kNaN : visible ? std::clamp(after / before - 1, 0.0, 1.0) : 0;
   }
   return out;
 }

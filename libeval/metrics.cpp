@@ -12,13 +12,13 @@
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
 #include "libtrack/hot.h"
+#include "libtrack/nan.h"
 #include "libtrack/quantile.h"
 
 namespace swarmfit {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kStill = 1e-9;       // of the median speed: slower than this has no direction
 constexpr double kCoincident = 1e-9;  // [unit]: closer than this is the same place
 

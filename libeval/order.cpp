@@ -2,9 +2,9 @@
 #include "libeval/order.h"
 
 #include <cmath>
-#include <limits>
 
 #include "libeval/group/order_table.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
@@ -17,7 +17,7 @@ double mean_defined(const std::vector<double>& values) {
   double sum = 0, count = 0;
   for (const double x : values)
     if (std::isfinite(x)) sum += x, ++count;
-  return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+  return count > 0 ? sum / count : kNaN;
 }
 
 }  // namespace swarmfit

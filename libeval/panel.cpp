@@ -6,18 +6,17 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "libeval/centre.h"
 #include "libeval/jackknife.h"
 #include "libeval/metrics.h"
 #include "libeval/order.h"
 #include "libeval/spacing.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLagGrowth = 1.12;
 constexpr std::size_t kBlocks = 8;
 

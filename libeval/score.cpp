@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 bool used(const std::vector<bool>& use, Eigen::Index column) { return use.empty() || use[static_cast<std::size_t>(column)]; }
 

@@ -9,11 +9,11 @@
 #include "libeval/distance.h"
 #include "libeval/rounding.h"
 #include "libtrack/cut.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kBlocks = HalfDistance::kBlocks;
 constexpr unsigned kAll = (1U << kBlocks) - 1;
 constexpr std::size_t kFewestFrames = 4 * kBlocks;  // a jerk needs four

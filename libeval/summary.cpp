@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "libeval/energy.h"
 #include "libeval/robust.h"
 #include "libeval/suspicions.h"
+#include "libtrack/nan.h"
 #include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOutlier = 10;  // robust standard deviations
 
 // Did a new take begin after frame `before` and not after frame `now`?

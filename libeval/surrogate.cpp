@@ -8,6 +8,7 @@
 
 #include "libeval/centre.h"
 #include "libeval/distance.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -260,20 +261,19 @@ Tracks shuffled_places(const Tracks& tracks, const Rng& rng) {
 }
 
 double surrogate_p(const PerColumn<Histogram>& observed, std::span<const PerColumn<Histogram>> surrogates, const PerColumn<bool>& used) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (surrogates.empty()) return kNone;
+  if (surrogates.empty()) return kNaN;
   double own = 0, columns = 0;
   std::vector<double> others(surrogates.size(), 0.0);
   for (std::size_t j = 0; j < used.size(); ++j) {
     if (!used[j]) continue;
-    if (observed[j].samples == 0) return kNone;
+    if (observed[j].samples == 0) return kNaN;
     Histogram all = observed[j];
     for (const auto& h : surrogates) all.add(h[j]);
     own += out_by(observed[j], all);
     for (std::size_t k = 0; k < others.size(); ++k) others[k] += out_by(surrogates[k][j], all);
     ++columns;
   }
-  if (columns == 0) return kNone;
+  if (columns == 0) return kNaN;
   const auto as_far = std::count_if(others.begin(), others.end(), [&](double d) { return !(d < own); });
   return static_cast<double>(1 + as_far) / static_cast<double>(1 + surrogates.size());
 }

@@ -6,14 +6,14 @@
 #include <limits>
 #include <queue>
 
+#include "libtrack/vectors.h"
+
 namespace swarmfit {
 namespace {
 
 using Eigen::Array3d;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-double length(const Array3d& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
 // Calls visit(neighbour, axis, side) for the up to six cells that share a face with `cell`.
 template <class Visit>

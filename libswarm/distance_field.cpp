@@ -6,13 +6,12 @@
 #include <limits>
 
 #include "libswarm/mesh.h"
+#include "libtrack/vectors.h"
 
 namespace swarmfit {
 namespace {
 
 using Eigen::Array3d;
-
-double dot(const Array3d& a, const Array3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Surface of_sphere(const Obstacle& o, const Array3d& p, int dims) {
   Array3d r = p - o.centre;

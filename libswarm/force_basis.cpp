@@ -19,7 +19,7 @@ double at_quantile(std::vector<double> values, double q) {
   return *place;
 }
 
-Array3d place(const Tracks& tracks, Index row) { return tracks.pos().row(row).transpose(); }
+Array3d place_of(const Tracks& tracks, Index row) { return tracks.pos().row(row).transpose(); }
 
 // Every how many frames pairs are looked at.
 std::size_t stride(const Tracks& tracks) { return std::max<std::size_t>(1, tracks.frames().size() / 100); }
@@ -31,7 +31,7 @@ std::vector<double> pair_distances(const Tracks& tracks) {
     const Index some = std::max<Index>(1, frame.count / 100);
     for (Index i = 0; i < frame.count; i += some)
       for (Index j = i + 1; j < frame.count; ++j) {
-        const double d = std::sqrt((place(tracks, frame.first + i) - place(tracks, frame.first + j)).square().sum());
+        const double d = std::sqrt((place_of(tracks, frame.first + i) - place_of(tracks, frame.first + j)).square().sum());
         if (d > 0) out.push_back(d);
       }
   }
@@ -43,13 +43,13 @@ std::vector<double> pair_distances(const Tracks& tracks) {
 ForceBasis force_basis(const Tracks& recording) {
   ForceBasis out;
   out.dims = recording.dims();
-  for (Index row = 0; row < recording.rows(); ++row) out.centre += place(recording, row);
+  for (Index row = 0; row < recording.rows(); ++row) out.centre += place_of(recording, row);
   if (recording.rows() > 0) out.centre /= static_cast<double>(recording.rows());
   std::vector<double> speeds, distances;
   for (Index row = 0; row < recording.rows(); ++row) {
-    distances.push_back(std::sqrt((place(recording, row) - out.centre).square().sum()));
+    distances.push_back(std::sqrt((place_of(recording, row) - out.centre).square().sum()));
     const Index next = recording.next()[static_cast<std::size_t>(row)];
-    if (next >= 0) speeds.push_back(std::sqrt((place(recording, next) - place(recording, row)).square().sum()) / recording.dt());
+    if (next >= 0) speeds.push_back(std::sqrt((place_of(recording, next) - place_of(recording, row)).square().sum()) / recording.dt());
   }
   if (!speeds.empty()) out.top_speed = at_quantile(std::move(speeds), kCommon);
   if (!distances.empty()) out.reach = at_quantile(std::move(distances), kCommon);

@@ -36,7 +36,7 @@ class Sample {
   std::uint32_t every_ = 1;
 };
 
-Array3d place(const Tracks& tracks, Index row) { return tracks.pos().row(row).transpose(); }
+Array3d position(const Tracks& tracks, Index row) { return tracks.pos().row(row).transpose(); }
 
 // Symmetric differences of whoever has a frame before and after.
 class Seen {
@@ -47,13 +47,13 @@ class Seen {
   }
   bool whole(Index row) const { return before_[static_cast<std::size_t>(row)] >= 0 && tracks_.next()[static_cast<std::size_t>(row)] >= 0; }
   // Somebody whose differences are not known is where he was seen.
-  Array3d x(Index row) const { return whole(row) ? Array3d((last(row) + place(tracks_, row) + next(row)) / 3) : place(tracks_, row); }
+  Array3d x(Index row) const { return whole(row) ? Array3d((last(row) + position(tracks_, row) + next(row)) / 3) : position(tracks_, row); }
   Array3d v(Index row) const { return (next(row) - last(row)) / (2 * tracks_.dt()); }
-  Array3d a(Index row) const { return (next(row) - 2 * place(tracks_, row) + last(row)) / (tracks_.dt() * tracks_.dt()); }
+  Array3d a(Index row) const { return (next(row) - 2 * position(tracks_, row) + last(row)) / (tracks_.dt() * tracks_.dt()); }
 
  private:
-  Array3d last(Index row) const { return place(tracks_, before_[static_cast<std::size_t>(row)]); }
-  Array3d next(Index row) const { return place(tracks_, tracks_.next()[static_cast<std::size_t>(row)]); }
+  Array3d last(Index row) const { return position(tracks_, before_[static_cast<std::size_t>(row)]); }
+  Array3d next(Index row) const { return position(tracks_, tracks_.next()[static_cast<std::size_t>(row)]); }
 
   const Tracks& tracks_;
   std::vector<Index> before_;

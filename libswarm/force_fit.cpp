@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double ForceFit::se(ForceGroup group, std::size_t k) const {
   const auto c = static_cast<Index>(law.basis.first(group) + k);

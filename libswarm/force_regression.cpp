@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "libswarm/force_design.h"
 #include "libtrack/distributions.h"
 #include "libtrack/linear_algebra.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -21,7 +21,6 @@ using Eigen::ArrayXd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Index kLag = 4;        // frames between a force and its instruments
 constexpr Index kFirstSeen = 3;  // autocovariance without localisation error, in frames
 constexpr Index kLastSeen = 40;

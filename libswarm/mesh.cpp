@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "libswarm/mesh_surface.h"
+#include "libtrack/vectors.h"
 
 namespace swarmfit {
 namespace {
@@ -17,12 +18,6 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kLeaf = 4;  // most triangles of a box without children
 constexpr double kSkin = 1e-9;      // of the diagonal
 constexpr double kEdge = 1e-12;     // how far beyond an edge a way still meets a triangle, of its size
-
-double dot(const Array3d& a, const Array3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Array3d cross(const Array3d& a, const Array3d& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Array3d& a) { return std::sqrt(dot(a, a)); }
 
 // The nearest point of a triangle, and of which part it is: 0 the face, 1 .. 3 edge k - 1, 4 .. 6 corner k - 4. After C. Ericson, Real-Time
 // Collision Detection, 2005, section 5.1.5.

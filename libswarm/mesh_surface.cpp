@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "libtrack/error.h"
+#include "libtrack/vectors.h"
 
 namespace swarmfit {
 namespace {
@@ -15,12 +16,6 @@ namespace {
 using Eigen::Array3d;
 
 constexpr double kFlat = 1e-12;  // of the square of the longest side: an area that is rounding; likewise of a volume
-
-double dot(const Array3d& a, const Array3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Array3d cross(const Array3d& a, const Array3d& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Array3d& a) { return std::sqrt(dot(a, a)); }
 
 std::string named(const Array3d& p) { return fmt::format("({:g}, {:g}, {:g})", p[0], p[1], p[2]); }
 

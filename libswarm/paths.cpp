@@ -28,6 +28,10 @@ void Paths::advance(const Clock& clock, const World& world, State&) {
   if (farthest2 >= cell() * cell()) find(world.dims);
 }
 
+bool Paths::holds(std::size_t k, const Array3d& place) const {
+  return (place - places_[k]).square().sum() <= goals_[k].radius * goals_[k].radius;
+}
+
 void Paths::find(int dims) {
   const FieldGrid& grid = options_.grid;
   const auto cells = static_cast<std::size_t>(grid.cells());
@@ -41,7 +45,7 @@ void Paths::find(int dims) {
     slowness[at] = distance <= 0 ? std::numeric_limits<double>::infinity()
                                  : options_.length_weight + options_.repulsion_weight * repulsion(distance, options_.reach);
     for (std::size_t k = 0; k < goals_.size(); ++k)
-      if ((centre - places_[k]).square().sum() <= goals_[k].radius * goals_[k].radius) goal[at] = true;
+      if (holds(k, centre)) goal[at] = true;
   }
   field_ = std::make_shared<CostField>(grid, std::move(slowness), std::move(goal));
   marched_ = places_;

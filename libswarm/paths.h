@@ -39,6 +39,8 @@ class Paths : public WorldPart {
   Eigen::Array3d direction(const Eigen::Array3d& place) const { return field_->direction(place); }  // 0 at a goal
   const CostField& field() const { return *field_; }
   double cell() const { return options_.grid.cell; }
+  double reach() const { return options_.reach; }                // of the repulsion [unit]
+  bool holds(std::size_t k, const Eigen::Array3d& place) const;  // is it in goal k?
   std::size_t size() const { return goals_.size(); }
   const Eigen::Array3d& place(std::size_t k) const { return places_[k]; }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "libtrack/error.h"
+#include "libtrack/vectors.h"
 
 namespace swarmfit {
 namespace {
@@ -21,8 +22,6 @@ struct Sample {
   Array3d v, a;
   double speed;
 };
-
-double length(const Array3d& x) { return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]); }
 
 // Every place that is followed by two further frames, by speed.
 std::vector<Sample> samples_of(const Tracks& recording) {

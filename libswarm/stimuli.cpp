@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "libtrack/vectors.h"
+
 namespace swarmfit {
 namespace {
 
 using Eigen::Array3d;
-
-double length(const Array3d& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
 // In index order, for the same bits whatever the alignment.
 Array3d centre_of(const State& state) {

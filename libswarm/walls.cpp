@@ -7,6 +7,7 @@
 
 #include "libswarm/distance_field.h"
 #include "libswarm/mesh.h"
+#include "libtrack/vectors.h"
 
 namespace swarmfit {
 namespace {
@@ -15,8 +16,6 @@ using Eigen::Array3d;
 
 constexpr int kMostBounces = 8;  // in one step
 constexpr double kSkin = 1e-9;   // of the radius: as deep as rounding may put somebody who is at the surface
-
-double dot(const Array3d& a, const Array3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // Where a path meets a surface: the share of the path before it, the place, and the unit vector out of the obstacle.
 struct Hit {

@@ -8,15 +8,6 @@
 #include "libtrack/interpolate.h"
 
 namespace swarmfit {
-namespace {
-
-// No episode starts in (from, to].
-bool one_take(const std::vector<std::int64_t>& episodes, std::int64_t from, std::int64_t to) {
-  return std::none_of(episodes.begin(), episodes.end(), [&](auto start) { return from < start && start <= to; });
-}
-
-}  // namespace
-
 void fill_gaps(TrackColumns& columns, int most, std::vector<std::string>& notes) {
   std::vector<Between> sources;
   TrackColumns out;

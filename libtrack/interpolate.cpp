@@ -15,4 +15,8 @@ Rows interpolated(const Rows& rows, const std::vector<Between>& sources) {
   return out;
 }
 
+bool one_take(const std::vector<std::int64_t>& episodes, std::int64_t from, std::int64_t to) {
+  return std::none_of(episodes.begin(), episodes.end(), [&](auto start) { return from < start && start <= to; });
+}
+
 }  // namespace swarmfit

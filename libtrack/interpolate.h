@@ -17,4 +17,7 @@ struct Between {
 // Nothing of nothing. Where `part` is 0 the row is the input's to the bit.
 Rows interpolated(const Rows& rows, const std::vector<Between>& sources);
 
+// No episode starts in (from, to].
+bool one_take(const std::vector<std::int64_t>& episodes, std::int64_t from, std::int64_t to);
+
 }  // namespace swarmfit

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -46,7 +46,7 @@ Rows smoothed(const Tracks& tracks, const Rows& in, const std::vector<double>& w
 }  // namespace
 
 Rows forward_velocity(const Tracks& tracks) {
-  Rows out = Rows::Constant(tracks.rows(), 3, std::numeric_limits<double>::quiet_NaN());
+  Rows out = Rows::Constant(tracks.rows(), 3, kNaN);
   const auto next = tracks.next();
   for (Index axis = 0; axis < 3; ++axis) {
     for (Index row = 0; row < tracks.rows(); ++row) {

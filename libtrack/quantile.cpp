@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
 double quantile(std::vector<double> values, double p) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return kNaN;
   const double position = p * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(position);
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(below);

@@ -29,11 +29,6 @@ double usual_step(const TrackColumns& c) {
   return *middle;
 }
 
-// No episode starts in (from, to].
-bool one_take(const std::vector<std::int64_t>& episodes, std::int64_t from, std::int64_t to) {
-  return std::none_of(episodes.begin(), episodes.end(), [&](auto start) { return from < start && start <= to; });
-}
-
 }  // namespace
 
 void resample(TrackColumns& columns, TrackMeta& meta, double hz) {

@@ -34,6 +34,14 @@ class Lines {
 
 inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
+// ASCII capitals become small letters.
+inline std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
 // Neither empty nor a comment.
 inline bool has_content(std::string_view line) {
   std::size_t i = 0;

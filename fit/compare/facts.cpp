@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/compare/warn.h"
 #include "libeval/independent.h"
 #include "libeval/lags.h"
 #include "libeval/skill.h"
@@ -17,15 +18,9 @@ namespace {
 constexpr double kScaleOff = 2;        // a mean off by more than this factor is called wrong in scale
 constexpr double kInfeasible = 0.05;   // share of agent-steps without a collision-free velocity worth a warning
 constexpr double kFewIndividuals = 5;  // neighbour statistics of smaller groups say little
-constexpr double kStandardErrors = 2;
 
 std::string name_of(ConditionOptions::Error e) {
   return e == ConditionOptions::Error::estimate ? "estimate" : e == ConditionOptions::Error::given ? "given" : "none";
-}
-
-template <class... Args>
-void warn(std::vector<Warning>& out, Gravity gravity, fmt::format_string<Args...> text, Args&&... args) {
-  out.emplace_back(gravity, fmt::format(text, std::forward<Args>(args)...));
 }
 
 void warn_of_data(const Comparison& r, std::vector<Warning>& out) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fit/compare/refute.h"
+#include "fit/compare/warn.h"
 #include "fit/experiment/outcome.h"
 #include "fit/store/checkpointed.h"
 #include "libeval/distance.h"
@@ -17,7 +18,6 @@ namespace {
 
 constexpr std::size_t kSurrogates = 99;  // of each kind that is tested: so that p can reach 0.01
 constexpr std::size_t kPlaced = 10;
-constexpr double kStandardErrors = 2;
 
 Estimate estimate(const std::vector<double>& values) {
   Moments m;

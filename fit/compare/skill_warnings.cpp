@@ -7,16 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/compare/warn.h"
+
 namespace swarmfit {
 namespace {
 
-constexpr double kStandardErrors = 2;
 constexpr double kRepeats = 0.5;  // of the distance of new motion from that which is known
-
-template <class... Args>
-void warn(std::vector<Warning>& out, Gravity gravity, fmt::format_string<Args...> text, Args&&... args) {
-  out.emplace_back(gravity, fmt::format(text, std::forward<Args>(args)...));
-}
 
 // Models by skill, those without one last.
 std::vector<const ModelFit*> by_skill(const Comparison& r) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "libtrack/quantile.h"
+#include "libtrack/vectors.h"
 
 namespace swarmfit {
 namespace {
@@ -14,8 +15,6 @@ using Limits = std::array<double, 3>;
 constexpr double kParts = 10;   // of a column's axis
 constexpr double kTiny = 1e-6;  // of the recorded scale: keeps logarithms finite
 
-double dot(const Array3d& a, const Array3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double length(const Array3d& a) { return std::sqrt(dot(a, a)); }
 double finite(double x) { return std::isfinite(x) ? x : 0; }
 std::size_t place(Index i) { return static_cast<std::size_t>(i); }
 

@@ -7,6 +7,7 @@
 
 #include "libswarm/mesh.h"
 #include "libswarm/scenario/scenario.h"
+#include "libtrack/vectors.h"
 
 namespace swarmfit {
 namespace {
@@ -44,10 +45,6 @@ Solid box_solid(const Array3d& lower, const Array3d& upper, int dims) {
                                (corner & 4) != 0 ? upper[2] : lower[2]);
   solid.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   return solid;
-}
-
-Array3d cross(const Array3d& a, const Array3d& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 Solid cylinder_solid(const Obstacle& o) {

@@ -7,6 +7,7 @@
 #include "fit/optimise/differential_evolution.h"
 #include "fit/optimise/quadratic_model.h"
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -102,7 +103,7 @@ Found search(int dimensions, const BatchCost& cost, const SearchOptions& options
   EvolutionOptions evolution = options.evolution;
   const double refine_share = options.evolution_only ? 0 : options.refine_share;
   evolution.max_evaluations = std::max<std::int64_t>(1, budget - static_cast<std::int64_t>(refine_share * static_cast<double>(budget)));
-  Found found{evolve(dimensions, cost, options, evolution, rng, start, on_generation), {{}, std::numeric_limits<double>::quiet_NaN()}, 0};
+  Found found{evolve(dimensions, cost, options, evolution, rng, start, on_generation), {{}, kNaN}, 0};
   if (found.best.empty()) return found;
   if (found.stop != Stop::interrupted && !options.evolution_only) {
     RefineOptions refinement = options.refine;

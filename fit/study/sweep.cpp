@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "fit/experiment/checkpointed_batches.h"
@@ -13,11 +12,11 @@
 #include "libeval/energy.h"
 #include "libeval/order.h"
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t kWindow = 200;  // frames
 constexpr double kMostRuns = 10'000'000;
 

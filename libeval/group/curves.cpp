@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "libeval/group/even_pairs.h"
 #include "libeval/jackknife.h"
 #include "libeval/panel.h"
 #include "libtrack/cut.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kBlocks = 8, kBins = 30;
 constexpr double kReach = 2;     // distances up to so many rms radii
 constexpr double kMapReach = 3;  // of the neighbour map, in mean nearest-neighbour distances

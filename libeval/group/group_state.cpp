@@ -5,16 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "libeval/group/order_formulas.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
 
 using F = StateFeatures;
 using H = StateHistory;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // ---- thresholds: ours, chosen where planted states and simulations of the published models part --------------------------------
 constexpr double kWhole = 0.7;           // less in the largest component is no one group
@@ -189,6 +188,12 @@ StateCourse state_course(const Tracks& tracks, const MomentOptions& options, Sta
   StateWatch watch(words, window);
   for_each_moment(tracks, options, [&](const Moment& moment) { watch.add(moment); });
   return watch.finish();
+}
+
+std::string state_name(const std::string& key) {
+  for (const GroupState& state : state_table())
+    if (state.key == key) return std::string(state.name);
+  return key;
 }
 
 }  // namespace swarmfit

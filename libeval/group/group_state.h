@@ -47,6 +47,7 @@ struct GroupState {
 
 // The first rule of a vocabulary that holds names the state; the last of each always does.
 std::span<const GroupState> state_table();
+std::string state_name(const std::string& key);  // the key itself, if it is none of them
 const GroupState& state_of(const StateFeatures&, const StateHistory&, StateWords words);
 
 // One window of time.

@@ -4,17 +4,16 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "libeval/group/components.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLink2 = 5, kLink3 = 3;
 
 Vector3d at(const Rows& rows, Index row) { return {rows(row, 0), rows(row, 1), rows(row, 2)}; }

@@ -6,17 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "libeval/spacing.h"
+#include "libtrack/nan.h"
 #include "libtrack/quantile.h"
 
 namespace swarmfit::order_formulas {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPart = 0.1;       // share of all that makes a component a part
 constexpr double kLaneWidth = 1.5;  // in nearest-neighbour distances: 3/4 of the spacing 2 d of a Poisson process (Rex and Löwen 2007)
 constexpr Index kLeastShape = 3;    // individuals that have a shape

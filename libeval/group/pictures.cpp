@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "libeval/group/even_pairs.h"
 #include "libeval/group/order_table.h"
 #include "libeval/value_spread.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMapReach = 4;   // in mean nearest-neighbour distances
 constexpr double kDistances = 2;  // reach of the curves, in rms radii
 constexpr std::size_t kBins = 24, kTimes = 80;

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "libeval/independent.h"
 #include "libtrack/distributions.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMostBlocks = 20, kFewestBlocks = 4;
 constexpr double kTimesPerBlock = 2;
 constexpr double kSame = 1e-12;  // standard deviations, relative to the mean, that are rounding

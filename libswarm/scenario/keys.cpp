@@ -10,8 +10,6 @@ namespace {
 
 using Type = ScenarioKey::Type;
 
-constexpr double kMost = 1e7;  // agents, frames
-constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kMostSeeds = 9223372036854775807.0;
 
 // Rows longer than a line would be taken apart, one field a line:
@@ -23,9 +21,9 @@ std::vector<ScenarioKey> of_the_file() {
       {"", "model", Type::text, "with its options, as in bswarm[noise=white]", true},
       {"", "shows", Type::text, "the model of whose manual page it draws the picture"},
       {"", "dims", Type::whole, "dimensions; 3 if the model moves in them", false, {2, 3}},
-      {"", "agents", Type::whole, "number of agents, 100 if not given; with [[group]] each has its own", false, {1, kMost}},
-      {"", "frames", Type::whole, "frames to write, 500 if not given", false, {1, kMost}},
-      {"", "warm_up", Type::whole, "frames to simulate before them, 0 if not given", false, {0, kMost}},
+      {"", "agents", Type::whole, "number of agents, 100 if not given; with [[group]] each has its own", false, {1, kMostCounted}},
+      {"", "frames", Type::whole, "frames to write, 500 if not given", false, {1, kMostCounted}},
+      {"", "warm_up", Type::whole, "frames to simulate before them, 0 if not given", false, {0, kMostCounted}},
       {"", "fps", Type::number, "frames per second, 100 if not given", false, {1e-6, 1e9}},
       {"", "steps", Type::whole, "steps per frame; as many as the model's own step asks for", false, {1, 10'000}},
       {"", "seed", Type::whole, "of all random numbers, 1 if not given", false, {0, kMostSeeds}},
@@ -111,7 +109,7 @@ std::vector<ScenarioKey> of_agents() {
       {"start", "speed", Type::number, "0.3 if not given", false, kNotNegative},
       {"start", "heading", Type::place, "of all; random if not given"},
 
-      {"group", "agents", Type::whole, "", true, {1, kMost}},
+      {"group", "agents", Type::whole, "", true, {1, kMostCounted}},
       {"group", "kind", Type::text, "among those of the model"},
       {"group", "start", Type::table, "where and how these begin"},
       {"group", "arrive", Type::number, "when the first comes [s]"},

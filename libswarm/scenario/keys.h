@@ -3,6 +3,7 @@
 // and so does the schema for editors.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,8 @@ struct NumberRange {
 inline constexpr NumberRange kAnyNumber{};
 inline constexpr NumberRange kNotNegative{0, 1e9};
 inline constexpr NumberRange kPositive{1e-9, 1e9};
+inline constexpr double kMostCounted = 1e7;  // agents, frames
+inline constexpr double kForever = std::numeric_limits<double>::infinity();
 
 struct ScenarioKey {
   enum class Type {

@@ -21,9 +21,7 @@ namespace {
 using Eigen::Array3d;
 using Words = std::vector<std::string_view>;
 
-constexpr std::int64_t kMost = 10'000'000;  // agents, frames
-constexpr double kMostCells = 1e8;          // of the grid in which ways are looked for
-constexpr double kForever = std::numeric_limits<double>::infinity();
+constexpr double kMostCells = 1e8;  // of the grid in which ways are looked for
 
 // Puts the place in front of what a room lower down refuses.
 template <class Do>
@@ -192,8 +190,8 @@ int agents_at(Table& table, Table& root, std::size_t groups) {
   if (root.has("agents") || groups > 1)
     table.refuse("[temperature] says how many agents there are; expected neither agents nor several [[group]]");
   const double count = std::round(insects_at(celsius) * volume);
-  if (!(count >= 1 && count <= static_cast<double>(kMost)))
-    table.refuse("celsius", fmt::format("= {:g} makes {:.0f} insects; expected 1 to {}", celsius, count, kMost));
+  if (!(count >= 1 && count <= kMostCounted))
+    table.refuse("celsius", fmt::format("= {:g} makes {:.0f} insects; expected 1 to {}", celsius, count, kMostCounted));
   return static_cast<int>(count);
 }
 
@@ -212,7 +210,7 @@ std::vector<Group> groups_of(Table& root, const Scenario& scene) {
   if (auto table = root.table("temperature")) groups.front().agents = agents_at(*table, root, groups.size());
   std::int64_t all = 0;
   for (const Group& g : groups) all += g.agents;
-  if (all > kMost) root.refuse(fmt::format("{} agents; expected at most {}", all, kMost));
+  if (static_cast<double>(all) > kMostCounted) root.refuse(fmt::format("{} agents; expected at most {}", all, kMostCounted));
   return groups;
 }
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -21,7 +21,7 @@ std::string all_names(const Arrays& arrays) {
 }
 
 // Infinite positions are how some trackers say that nothing was seen.
-double seen(double value) { return std::isinf(value) ? std::numeric_limits<double>::quiet_NaN() : value; }
+double seen(double value) { return std::isinf(value) ? kNaN : value; }
 
 bool is_position(FileColumn c) { return c == FileColumn::x || c == FileColumn::y || c == FileColumn::z; }
 

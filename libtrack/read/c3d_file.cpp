@@ -8,10 +8,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -38,7 +38,7 @@ int signed_byte(std::size_t byte) { return byte < 0x80 ? static_cast<int>(byte) 
 // A VAX F float: the first word holds sign, exponent and the high bits, and the leading bit of the fraction stands for 1/2.
 double dec_float(std::uint32_t high, std::uint32_t low) {
   const std::uint32_t sign = high >> 15, exponent = (high >> 7) & 0xFF, fraction = (high & 0x7F) << 16 | low;
-  if (exponent == 0) return sign == 0 ? 0 : std::numeric_limits<double>::quiet_NaN();
+  if (exponent == 0) return sign == 0 ? 0 : kNaN;
   const double size = std::ldexp(static_cast<double>(fraction | 0x800000), static_cast<int>(exponent) - 128 - 24);
   return sign == 0 ? size : -size;
 }

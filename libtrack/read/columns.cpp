@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "libtrack/error.h"
+#include "libtrack/text_scan.h"
 
 namespace swarmfit {
 namespace {
@@ -133,24 +134,18 @@ std::optional<FileColumn> find(const std::array<Name, N>& table, std::string_vie
   return hit == table.end() ? std::nullopt : std::optional(hit->column);
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && blank(text.back())) text.remove_suffix(1);
   return text;
 }
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
-
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {
     const auto cut = text.find(separator);
-    parts.push_back(trimmed(text.substr(0, cut)));
+    parts.push_back(without_blanks(text.substr(0, cut)));
     if (cut == std::string_view::npos) return parts;
     text.remove_prefix(cut + 1);
   }
@@ -194,7 +189,7 @@ void look_at_units(ColumnMap& map, const std::vector<std::string>& names, const 
       if (!unit) continue;
       if (!map.unit.empty() && map.unit != *unit)
         throw InputError(fmt::format("{}: '{}' is in {} but '{}' in {}; expected one length unit for all coordinates", place,
-                                     trimmed(names[first]), map.unit, trimmed(names[i]), *unit));
+                                     without_blanks(names[first]), map.unit, without_blanks(names[i]), *unit));
       if (map.unit.empty()) first = i;
       map.unit = *unit;
     } else if (column == FileColumn::t) {
@@ -214,15 +209,15 @@ ColumnMap map_by_name(const std::vector<std::string_view>& entries, const std::v
     const auto cut = entry.find('=');
     if (cut == std::string_view::npos)
       throw InputError(fmt::format("`columns`: '{}' has no '='; expected either a list by position or only entries like x=NAME", entry));
-    const auto wanted = lower(trimmed(entry.substr(cut + 1)));
-    const auto hit = std::find_if(names.begin(), names.end(), [&](const auto& n) { return lower(trimmed(n)) == wanted; });
+    const auto wanted = lower(without_blanks(entry.substr(cut + 1)));
+    const auto hit = std::find_if(names.begin(), names.end(), [&](const auto& n) { return lower(without_blanks(n)) == wanted; });
     if (hit == names.end())
       throw InputError(
-          fmt::format("`columns`: the file has no column '{}'; expected one of {}", trimmed(entry.substr(cut + 1)), listed(names)));
+          fmt::format("`columns`: the file has no column '{}'; expected one of {}", without_blanks(entry.substr(cut + 1)), listed(names)));
     auto& column = map.of[static_cast<std::size_t>(hit - names.begin())];
     if (column != FileColumn::skip)
-      throw InputError(fmt::format("`columns`: column '{}' is used twice; expected every column once", trimmed(*hit)));
-    column = parse_name(trimmed(entry.substr(0, cut)));
+      throw InputError(fmt::format("`columns`: column '{}' is used twice; expected every column once", without_blanks(*hit)));
+    column = parse_name(without_blanks(entry.substr(0, cut)));
   }
   check_user_map(map);
   look_at_units(map, names, "`columns`");
@@ -239,7 +234,7 @@ std::string by_name(const ColumnMap& map, const std::vector<std::string>& names)
   std::string out;
   for (std::size_t i = 0; i < map.of.size(); ++i)
     if (map.of[i] != FileColumn::skip && map.of[i] != FileColumn::date)
-      out += fmt::format("{}{}={}", out.empty() ? "" : ",", name_of(map.of[i]), trimmed(names[i]));
+      out += fmt::format("{}{}={}", out.empty() ? "" : ",", name_of(map.of[i]), without_blanks(names[i]));
   return out;
 }
 

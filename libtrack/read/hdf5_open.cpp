@@ -11,12 +11,11 @@
 #include <utility>
 
 #include "libtrack/error.h"
+#include "libtrack/read/deflate.h"
 
 namespace swarmfit {
 namespace {
 
-// deflate cannot do better than this; a dataset that claims more than the file could hold is a lie.
-constexpr double kBestCompression = 1032;
 constexpr std::size_t kMostObjects = 100'000, kMostAttribute = 1 << 20;
 
 // A handle of the library with the function that closes it.

@@ -36,7 +36,7 @@ bool matches(std::string_view pattern, std::string_view text) {
 }
 
 // fish2 before fish10.
-bool natural_order(const std::string& a, const std::string& b) {
+bool natural_name_order(const std::string& a, const std::string& b) {
   const auto digits = [](const std::string& s, std::size_t at) {
     const auto end = s.find_first_not_of("0123456789", at);
     return s.substr(at, end == std::string::npos ? end : end - at);
@@ -104,7 +104,7 @@ std::vector<std::string> files_to_join(const std::string& path) {
   if (folder && endings.size() > 1)
     throw InputError(fmt::format("{}: there are files of several endings, {} and {}; expected a pattern such as '{}'", path,
                                  *endings.begin(), *endings.rbegin(), (within / ("*" + *endings.begin())).string()));
-  std::sort(files.begin(), files.end(), natural_order);
+  std::sort(files.begin(), files.end(), natural_name_order);
   return files;
 }
 

@@ -12,6 +12,7 @@
 
 #include "libtrack/error.h"
 #include "libtrack/isolated.h"
+#include "libtrack/read/deflate.h"
 #include "libtrack/read/hdf5_file.h"
 #include "libtrack/read/mat_check.h"
 #include "libtrack/read/packed.h"
@@ -23,9 +24,6 @@ struct Free {
   void operator()(matvar_t* v) const { Mat_VarFree(v); }
 };
 using Variable = std::unique_ptr<matvar_t, Free>;
-
-// deflate cannot do better than this; a variable that claims more than the file could hold is a lie.
-constexpr double kBestCompression = 1032;
 
 bool is_number_class(matio_classes c) {
   switch (c) {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -26,7 +26,7 @@ void leave_out_codes(RawTable& table, const ReadOptions& options) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (x[i] != *options.missing || y[i] != *options.missing) continue;
-      x[i] = std::numeric_limits<double>::quiet_NaN();
+      x[i] = kNaN;
       ++count;
     }
     if (count == 0)

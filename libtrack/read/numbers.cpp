@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/text_header.h"
 
 namespace swarmfit {
@@ -50,7 +50,7 @@ double Numbers::read(Fields& fields, const Place& place) {
 }
 
 double Numbers::odd(std::string_view field, const Place& place, long column) {
-  if (is_missing(field)) return std::numeric_limits<double>::quiet_NaN();
+  if (is_missing(field)) return kNaN;
   std::string_view digits = field;
   if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-') digits.remove_prefix(1);
   double value = 0;

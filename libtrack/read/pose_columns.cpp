@@ -6,15 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/postures.h"
+#include "libtrack/text_scan.h"
 
 namespace swarmfit {
 namespace {
-
-constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 bool is_number(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -32,11 +31,6 @@ std::vector<std::string> tokens(std::string_view text) {
   return out;
 }
 
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 template <std::size_t N>
 bool among(const std::array<std::string_view, N>& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -45,7 +39,7 @@ bool among(const std::array<std::string_view, N>& words, std::string_view word) 
 constexpr std::array<std::string_view, 6> kConfidence = {"score", "likelihood", "confidence", "probability", "prob", "conf"};
 constexpr std::array<std::string_view, 8> kOther = {"vel", "velocity", "acc", "acceleration", "speed", "instance", "bbox", "size"};
 constexpr std::array<std::string_view, 4> kOtherLetters = {"v", "a", "w", "h"};  // a_x is an acceleration, A.x a point
-constexpr std::array<std::string_view, 3> kPosition = {"pos", "position", "coord"};
+constexpr std::array<std::string_view, 3> kPositionWords = {"pos", "position", "coord"};
 constexpr std::array<std::string_view, 22> kIndividual = {
     "",     "ind", "id",  "individual", "animal", "particle", "agent",      "track",  "fish",  "mouse", "rat",
     "bird", "bee", "ant", "fly",        "person", "ped",      "pedestrian", "object", "arena", "tag",   "subject"};
@@ -107,7 +101,7 @@ std::optional<PoseName> pose_name(std::string_view name) {
     const bool axis = word == "x" || word == "y" || word == "z";
     const bool numbered = word.size() > 1 && word[0] >= 'x' && word[0] <= 'z' && is_number(std::string_view(word).substr(1));
     if (among(kOther, word) || among(kOtherLetters, token)) return std::nullopt;
-    if (among(kPosition, word)) continue;
+    if (among(kPositionWords, word)) continue;
     if (axis || numbered || among(kConfidence, word)) {
       if (out.part != 0) return std::nullopt;
       out.part = axis || numbered ? word[0] : 'c';
@@ -148,7 +142,7 @@ RawTable read_pose_rows(const Source& source, const TextHeader& header, const Co
   std::vector<double> x(nodes.size()), y(nodes.size()), z(depth ? nodes.size() : 0), confidence(nodes.size());
   for (std::size_t row = 0; row < rows.track.size(); ++row) {
     const auto fill = [&](std::vector<double>& to, const std::vector<std::size_t>& from) {
-      for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[k] == kNone ? kNowhere : cells.at(row, from[k]);
+      for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[k] == kNone ? kNaN : cells.at(row, from[k]);
     };
     for (const auto& body : all) {
       fill(x, body.x);
@@ -157,8 +151,8 @@ RawTable read_pose_rows(const Source& source, const TextHeader& header, const Co
       fill(confidence, body.confidence);
       const std::size_t before = table.track.size();
       postures.add({.track = identified ? rows.track[row] : table.names.number(body.name),
-                    .frame = rows.has(FileColumn::frame) ? rows[FileColumn::frame][row] : kNowhere,
-                    .time = rows.has(FileColumn::t) ? rows[FileColumn::t][row] : kNowhere,
+                    .frame = rows.has(FileColumn::frame) ? rows[FileColumn::frame][row] : kNaN,
+                    .time = rows.has(FileColumn::t) ? rows[FileColumn::t][row] : kNaN,
                     .x = x,
                     .y = y,
                     .z = z,

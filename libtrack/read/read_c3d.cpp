@@ -3,10 +3,10 @@
 // subject is an individual and its markers are points of it. Rate and unit are in the file.
 #include <fmt/format.h>
 
-#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "libtrack/nan.h"
 #include "libtrack/read/c3d_file.h"
 #include "libtrack/read/formats.h"
 #include "libtrack/read/postures.h"
@@ -14,8 +14,6 @@
 
 namespace swarmfit {
 namespace {
-
-constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 bool recognises(const Source& source, const ReadOptions&) { return is_c3d(source.bytes); }
 
@@ -99,11 +97,11 @@ void add_subjects(RawTable& table, const C3dFile& file, const Subjects& subjects
       for (std::size_t m = 0; m < x.size(); ++m) {
         const std::size_t k = subjects.point[s][m];
         const auto point = k == kNone ? std::nullopt : file.at(f, k);
-        x[m] = point ? point->x : kNowhere;
-        y[m] = point ? point->y : kNowhere;
-        z[m] = point ? point->z : kNowhere;
+        x[m] = point ? point->x : kNaN;
+        y[m] = point ? point->y : kNaN;
+        z[m] = point ? point->z : kNaN;
       }
-      postures.add({track, file.first_frame() + static_cast<double>(f), kNowhere, x, y, z, {}});
+      postures.add({track, file.first_frame() + static_cast<double>(f), kNaN, x, y, z, {}});
     }
   }
   postures.finish();

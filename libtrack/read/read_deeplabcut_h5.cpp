@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/formats.h"
 #include "libtrack/read/pickled_names.h"
 #include "libtrack/read/postures.h"
@@ -17,7 +17,6 @@ namespace {
 
 constexpr const char* kTable = "/df_with_missing/table";
 constexpr const char* kBlock = "values_block_0";
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 const Hdf5Object* table_of(const Hdf5Contents* contents) {
   const auto* table = contents ? contents->find(kTable) : nullptr;
@@ -84,9 +83,9 @@ RawTable read(const Source& source, const ReadOptions& options) {
       for (std::size_t n = 0; n < nodes; ++n)
         for (std::size_t a = 0; a < 3; ++a) {
           const auto column = layout.column[who * nodes + n][a];
-          point[a][n] = column < width ? values[row * width + column] : kNone;
+          point[a][n] = column < width ? values[row * width + column] : kNaN;
         }
-      postures.add({track, index[row], kNone, point[0], point[1], {}, point[2]});
+      postures.add({track, index[row], kNaN, point[0], point[1], {}, point[2]});
     }
   }
   postures.finish();

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 #include <set>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/formats.h"
 #include "libtrack/read/postures.h"
 #include "libtrack/read/xlsx.h"
@@ -19,7 +19,6 @@ namespace swarmfit {
 namespace {
 
 constexpr std::string_view kFirstCell = "Number of header lines:";
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 bool recognises(const Source& source, const ReadOptions&) {
   if (!is_zip(source.bytes)) return false;
@@ -66,7 +65,7 @@ class Track {
       }
       const double time = number(r, time_);
       if (time != time) fail(r + 1, "has no time; expected one in every row");
-      postures.add({track, kNone, time, x, y, {}, {}});
+      postures.add({track, kNaN, time, x, y, {}, {}});
     }
   }
 
@@ -84,7 +83,7 @@ class Track {
 
   double number(std::size_t row, std::size_t column) const {
     const auto text = cell(row, column);
-    if (text.empty() || text == "-") return kNone;
+    if (text.empty() || text == "-") return kNaN;
     if (const auto value = xml_number(text)) return *value;
     fail(row + 1, fmt::format("has '{}' among its numbers; expected a number or -", text.substr(0, 40)));
   }

@@ -2,9 +2,9 @@
 // The database of FastTrack (SQLite): head, tail and body of every object per image, in pixels. The body's centre is the position
 // unless --node says otherwise. https://www.fasttrack.sh
 #include <array>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/formats.h"
 #include "libtrack/read/postures.h"
 #include "libtrack/read/sqlite_file.h"
@@ -33,7 +33,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   Postures postures(table, options, {"head", "tail", "body"}, "body");
   for (std::size_t i = 0; i < all.track.size(); ++i) {
     const std::array x = {data[2][i], data[3][i], data[4][i]}, y = {data[5][i], data[6][i], data[7][i]};
-    postures.add({all.track[i], data[0][i], std::numeric_limits<double>::quiet_NaN(), x, y, {}, {}});
+    postures.add({all.track[i], data[0][i], kNaN, x, y, {}, {}});
   }
   postures.finish();
   check_numbers(table);

@@ -3,9 +3,8 @@
 // probability of each identity; frame rate among the attributes of the file. https://idtracker.ai
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/formats.h"
 #include "libtrack/read/postures.h"
 
@@ -13,7 +12,6 @@ namespace swarmfit {
 namespace {
 
 constexpr std::string_view kPositions = "/trajectories", kConfidence = "/id_probabilities";
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 bool is_trajectories(const Hdf5Object* o) { return o && o->kind == Hdf5Object::Kind::numbers && o->dims.size() == 3 && o->dims[2] == 2; }
 
@@ -60,7 +58,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
       const double* at = data[0].numbers.data() + 2 * (f * animals + k);
       const std::span<const double> confidence =
           has_confidence ? std::span(data[1].numbers).subspan(f * animals + k, 1) : std::span<const double>();
-      postures.add({track, static_cast<double>(f), kNone, {at, 1}, {at + 1, 1}, {}, confidence});
+      postures.add({track, static_cast<double>(f), kNaN, {at, 1}, {at + 1, 1}, {}, confidence});
     }
   }
   postures.finish();

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/choose_id.h"
 #include "libtrack/read/postures.h"
 #include "libtrack/read/read_text.h"
@@ -61,7 +61,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   if (!rows.has(FileColumn::x) || !rows.has(FileColumn::y) || (!rows.has(FileColumn::frame) && !rows.has(FileColumn::t)))
     throw InputError(at(source.name, header.names_line, 0, "no columns of frame (or t), x and y; expected them beside the points"));
 
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr double none = kNaN;
   RawTable table;
   table.file = rows.file;
   table.names = rows.names;

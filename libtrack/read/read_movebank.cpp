@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
+#include "libtrack/nan.h"
 #include "libtrack/read/read_text.h"
 
 namespace swarmfit {
@@ -34,7 +34,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   for (std::size_t row = 0; row < cells.word.size(); ++row) {
     const auto& word = cells.words.names()[cells.word[row]];
     if (word != "false" && word != "FALSE") continue;
-    table[FileColumn::x][row] = std::numeric_limits<double>::quiet_NaN();
+    table[FileColumn::x][row] = kNaN;
     ++hidden;
   }
   if (hidden > 0) table.notes.push_back(fmt::format("{} rows are marked as outliers (visible: false)", hidden));

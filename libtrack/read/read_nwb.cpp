@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/formats.h"
 #include "libtrack/read/postures.h"
 
 namespace swarmfit {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<const Hdf5Object*> of_type(const Hdf5Contents& contents, const std::string& under, std::string_view type) {
   std::vector<const Hdf5Object*> out;
@@ -121,15 +119,14 @@ RawTable read(const Source& source, const ReadOptions& options) {
   const std::size_t axes = series[0].axes;
   const bool sure = std::all_of(series.begin(), series.end(), [](const auto& s) { return !s.confidence.empty(); });
   std::array<std::vector<double>, 4> point;
-  for (auto& p : point) p.assign(nodes.size(), kNone);
+  for (auto& p : point) p.assign(nodes.size(), kNaN);
   using Span = std::span<const double>;
   for (std::size_t i = 0; i < series[0].rows; ++i) {
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       for (std::size_t a = 0; a < axes; ++a) point[a][n] = series[n].position[i * axes + a];
       if (sure) point[3][n] = series[n].confidence[i];
     }
-    postures.add(
-        {track, kNone, series[0].time[i], point[0], point[1], axes == 3 ? Span(point[2]) : Span(), sure ? Span(point[3]) : Span()});
+    postures.add({track, kNaN, series[0].time[i], point[0], point[1], axes == 3 ? Span(point[2]) : Span(), sure ? Span(point[3]) : Span()});
   }
   postures.finish();
   check_numbers(table);

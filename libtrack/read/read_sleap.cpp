@@ -3,16 +3,13 @@
 // points. Pixels; the frame rate is that of the video, which is not in the file. https://sleap.ai
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/formats.h"
 #include "libtrack/read/postures.h"
 
 namespace swarmfit {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 bool is_tracks(const Hdf5Object* o) {
   return o && o->kind == Hdf5Object::Kind::numbers && o->dims.size() == 4 && (o->dims[1] == 2 || o->dims[1] == 3);
@@ -62,8 +59,8 @@ RawTable read(const Source& source, const ReadOptions& options) {
         if (scored) point[3][n] = data[2].numbers[(k * nodes + n) * frames + f];
       }
       using Span = std::span<const double>;
-      postures.add({track, static_cast<double>(f), kNone, point[0], point[1], axes == 3 ? Span(point[2]) : Span(),
-                    scored ? Span(point[3]) : Span()});
+      postures.add(
+          {track, static_cast<double>(f), kNaN, point[0], point[1], axes == 3 ? Span(point[2]) : Span(), scored ? Span(point[3]) : Span()});
     }
   }
   postures.finish();

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/formats.h"
 #include "libtrack/read/postures.h"
 
@@ -17,7 +17,6 @@ namespace swarmfit {
 namespace {
 
 using nlohmann::json;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 bool recognises(const Source& source, const ReadOptions&) {
   const auto* contents = source.hdf5();
@@ -171,12 +170,12 @@ class SlpReader {
     std::array<std::vector<double>, 3> at;
     for (std::size_t n = 0; n < count; ++n) {
       const bool visible = points[2][first + n] != 0;
-      at[0].push_back(visible ? points[0][first + n] + shift_ : kNone);
-      at[1].push_back(visible ? points[1][first + n] + shift_ : kNone);
+      at[0].push_back(visible ? points[0][first + n] + shift_ : kNaN);
+      at[1].push_back(visible ? points[1][first + n] + shift_ : kNaN);
       at[2].push_back(points[3][first + n]);
     }
     const auto name = key.first < names_.size() ? names_[key.first] : std::to_string(key.first);
-    postures.add({table_.names.number(name), key.second, kNone, at[0], at[1], {}, at[2]});
+    postures.add({table_.names.number(name), key.second, kNaN, at[0], at[1], {}, at[2]});
   }
 
   const Source& source_;

@@ -8,9 +8,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/choose_id.h"
 #include "libtrack/read/clock_times.h"
 #include "libtrack/read/formats.h"
@@ -107,7 +107,7 @@ class RowReader {
 
   double read_number(Fields& fields, const Place& place) {
     const double value = numbers_.read(fields, place);
-    return std::isinf(value) ? std::numeric_limits<double>::quiet_NaN() : value;  // how some trackers write "not seen"
+    return std::isinf(value) ? kNaN : value;  // how some trackers write "not seen"
   }
 
   double read_frame(Fields& fields, const Place& place) {
@@ -155,8 +155,8 @@ class RowReader {
     if ((clock_ && !two_readings_) || has_date_)
       place.fail(column, shown(field) + " is another kind of time; expected one kind in all rows");
     clock_ = dated_ = two_readings_ = true;
-    month_first_time_ = both->month_first.value_or(std::numeric_limits<double>::quiet_NaN());
-    value = both->day_first.value_or(std::numeric_limits<double>::quiet_NaN());
+    month_first_time_ = both->month_first.value_or(kNaN);
+    value = both->day_first.value_or(kNaN);
     return true;
   }
 
@@ -167,8 +167,8 @@ class RowReader {
     const auto both = parse_day_and_month(field);
     if (!both || (!two_readings_ && !table_.track.empty())) place.fail(column, shown(field) + " is not a date; expected YYYY-MM-DD");
     two_readings_ = true;
-    month_first_date_ = both->month_first.value_or(std::numeric_limits<double>::quiet_NaN());
-    return both->day_first.value_or(std::numeric_limits<double>::quiet_NaN());
+    month_first_date_ = both->month_first.value_or(kNaN);
+    return both->day_first.value_or(kNaN);
   }
 
   // Bare numbers in the unit of the header or of --time-unit.

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/read_text.h"
 
 namespace swarmfit {
@@ -43,7 +43,7 @@ void settle(RawTable& table, const Cells& cells) {
     if (label == 2) ++occluded;
     if (label != 0 && label != 3) continue;
     ++(label == 0 ? predicted : mirrored);
-    table[FileColumn::x][row] = table[FileColumn::y][row] = std::numeric_limits<double>::quiet_NaN();
+    table[FileColumn::x][row] = table[FileColumn::y][row] = kNaN;
   }
   table.names = std::move(names);
   if (predicted + mirrored > 0)

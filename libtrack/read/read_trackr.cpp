@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <limits>
 
+#include "libtrack/nan.h"
 #include "libtrack/read/read_text.h"
 
 namespace swarmfit {
@@ -34,7 +34,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   for (std::size_t row = 0; row < table.track.size(); ++row) {
     const auto& word = cells.words.names()[cells.word[row]];
     if (word != "TRUE" && word != "true" && word != "1") continue;
-    table[FileColumn::x][row] = std::numeric_limits<double>::quiet_NaN();
+    table[FileColumn::x][row] = kNaN;
     ++ignored;
   }
   table.notes.emplace_back(

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/formats.h"
 #include "libtrack/read/frame_clock.h"
 #include "libtrack/read/npy.h"
@@ -18,8 +18,6 @@
 
 namespace swarmfit {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Point {
   const char *node, *x, *y;
@@ -108,7 +106,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
       px[n] = x[n][i];
       py[n] = y[n][i];
     }
-    postures.add({track, time.empty() ? frame[i] : kNone, time.empty() ? kNone : time[i], px, py, {}, {}});
+    postures.add({track, time.empty() ? frame[i] : kNaN, time.empty() ? kNaN : time[i], px, py, {}, {}});
   }
   postures.finish();
   table.notes.emplace_back("positions are in cm by the scale that TRex was given (cm_per_pixel)");

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -117,7 +117,7 @@ std::vector<std::vector<double>> SqliteFile::numbers(const std::string& table, c
       if (type == SQLITE_TEXT || type == SQLITE_BLOB)
         throw InputError(
             fmt::format("{}: table '{}' row {}: {} is no number; expected a number", name_, table, out[0].size() + (c == 0), columns[c]));
-      out[c].push_back(type == SQLITE_NULL ? std::numeric_limits<double>::quiet_NaN() : sqlite3_column_double(row, i));
+      out[c].push_back(type == SQLITE_NULL ? kNaN : sqlite3_column_double(row, i));
     }
   });
   return out;

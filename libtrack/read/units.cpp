@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "libtrack/text_scan.h"
+
 namespace swarmfit {
 namespace {
 
@@ -46,23 +48,17 @@ constexpr std::array kDurations = {
     Duration{"hour", {3600, 1}},     Duration{"d", {86400, 1}},         Duration{"day", {86400, 1}},
 };
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_brackets(std::string_view text) {
   const auto outer = [](char c) { return c == ' ' || c == '\t' || c == '[' || c == ']' || c == '(' || c == ')'; };
   while (!text.empty() && outer(text.front())) text.remove_prefix(1);
   while (!text.empty() && outer(text.back())) text.remove_suffix(1);
   return text;
 }
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
-
 // In the table as it is, or without the s of the plural.
 template <class Table>
 auto find(const Table& table, std::string_view text) {
-  const std::string word = lower(trimmed(text));
+  const std::string word = lower(without_brackets(text));
   const auto by = [&](std::string_view wanted) {
     return std::find_if(table.begin(), table.end(), [&](const auto& row) { return row.written == wanted; });
   };
@@ -76,9 +72,9 @@ bool cut_last_word(std::string_view& name, std::string& unit) {
   const auto cut = name.find_last_of(" _");
   if (cut == std::string_view::npos || cut == 0 || cut + 1 == name.size()) return false;
   const auto word = name.substr(cut + 1);
-  auto rest = trimmed(name.substr(0, cut));
+  auto rest = without_brackets(name.substr(0, cut));
   const bool in = rest.size() > 3 && lower(rest.substr(rest.size() - 3)) == " in";
-  if (in) rest = trimmed(rest.substr(0, rest.size() - 3));
+  if (in) rest = without_brackets(rest.substr(0, rest.size() - 3));
   const auto stem = lower(rest);
   const bool time = stem == "t" || stem.find("time") != std::string::npos, axis = stem == "x" || stem == "y" || stem == "z";
   if (time ? !time_unit(word) : !length_unit(word)) return false;
@@ -121,8 +117,8 @@ ColumnName column_name(std::string_view text) {
   if (cut != std::string_view::npos && cut > 0) {
     auto unit = text.substr(cut + 1);
     if (text[cut] != '/') unit = unit.substr(0, unit.find_first_of("])"));
-    out.unit = trimmed(unit);
-    text = trimmed(text.substr(0, cut));
+    out.unit = without_brackets(unit);
+    text = without_brackets(text.substr(0, cut));
     if (out.unit.starts_with("in ")) out.unit.erase(0, 3);
   } else {
     cut_last_word(text, out.unit);

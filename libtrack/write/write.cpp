@@ -10,16 +10,10 @@
 #include "libtrack/error.h"
 #include "libtrack/file.h"
 #include "libtrack/read/text_header.h"
+#include "libtrack/write/append.h"
 
 namespace swarmfit {
 namespace {
-
-template <class Number>
-void append(std::string& out, Number value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  out.append(text.data(), end);
-}
 
 // A name with a delimiter, a quote or a comment sign in it is quoted, and one that would count as missing.
 std::string quoted(const std::string& name) {

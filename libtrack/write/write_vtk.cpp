@@ -7,16 +7,15 @@
 
 #include "libtrack/error.h"
 #include "libtrack/kinematics.h"
+#include "libtrack/write/append.h"
 #include "libtrack/write/write.h"
 
 namespace swarmfit {
 namespace {
 
 template <class Number>
-void append(std::string& out, Number value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  out.append(text.data(), end);
+void append_field(std::string& out, Number value) {
+  append(out, value);
   out += ' ';
 }
 
@@ -58,29 +57,29 @@ std::string vtp_of_frame(const Tracks& tracks, const FrameRange& frame, const Ro
   std::string out(kHead);
   out += piece(n, n, 0) + "<PointData Scalars=\"speed\" Vectors=\"velocity\">\n";
   array(out, "Int64", "id", 1, [&] {
-    for (Index row = frame.first; row < end; ++row) append(out, tracks.track()[static_cast<std::size_t>(row)]);
+    for (Index row = frame.first; row < end; ++row) append_field(out, tracks.track()[static_cast<std::size_t>(row)]);
   });
   array(out, "UInt8", "kind", 1, [&] {
-    for (Index row = frame.first; row < end; ++row) append(out, static_cast<int>(tracks.kind(row)));
+    for (Index row = frame.first; row < end; ++row) append_field(out, static_cast<int>(tracks.kind(row)));
   });
   array(out, "Float64", "velocity", 3, [&] {
     for (Index row = frame.first; row < end; ++row)
-      for (Index axis = 0; axis < 3; ++axis) append(out, velocity(row, axis));
+      for (Index axis = 0; axis < 3; ++axis) append_field(out, velocity(row, axis));
   });
   array(out, "Float64", "speed", 1, [&] {
-    for (Index row = frame.first; row < end; ++row) append(out, std::sqrt(velocity.row(row).square().sum()));
+    for (Index row = frame.first; row < end; ++row) append_field(out, std::sqrt(velocity.row(row).square().sum()));
   });
   out += "</PointData>\n<Points>\n";
   array(out, "Float64", "position", 3, [&] {
     for (Index row = frame.first; row < end; ++row)
-      for (Index axis = 0; axis < 3; ++axis) append(out, tracks.pos()(row, axis));
+      for (Index axis = 0; axis < 3; ++axis) append_field(out, tracks.pos()(row, axis));
   });
   out += "</Points>\n<Verts>\n";
   array(out, "Int64", "connectivity", 1, [&] {
-    for (std::size_t k = 0; k < n; ++k) append(out, k);
+    for (std::size_t k = 0; k < n; ++k) append_field(out, k);
   });
   array(out, "Int64", "offsets", 1, [&] {
-    for (std::size_t k = 1; k <= n; ++k) append(out, k);
+    for (std::size_t k = 1; k <= n; ++k) append_field(out, k);
   });
   out += "</Verts>\n";
   return out += kFoot;
@@ -94,21 +93,21 @@ std::string vtp_of_bodies(std::span<const Polyhedron> bodies) {
   array(out, "Float64", "position", 3, [&] {
     for (const Polyhedron& body : bodies)
       for (const auto& corner : body.corners)
-        for (Eigen::Index axis = 0; axis < 3; ++axis) append(out, corner[axis]);
+        for (Eigen::Index axis = 0; axis < 3; ++axis) append_field(out, corner[axis]);
   });
   out += "</Points>\n<Polys>\n";
   array(out, "Int64", "connectivity", 1, [&] {
     int first = 0;
     for (const Polyhedron& body : bodies) {
       for (const auto& face : body.faces)
-        for (const int corner : face) append(out, first + corner);
+        for (const int corner : face) append_field(out, first + corner);
       first += static_cast<int>(body.corners.size());
     }
   });
   array(out, "Int64", "offsets", 1, [&] {
     std::size_t end = 0;
     for (const Polyhedron& body : bodies)
-      for (const auto& face : body.faces) append(out, end += face.size());
+      for (const auto& face : body.faces) append_field(out, end += face.size());
   });
   out += "</Polys>\n";
   return out += kFoot;
@@ -137,7 +136,7 @@ void to_vtk(const Surrounded& all, const std::string& path, const PutFile& put) 
   std::string list = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
   const auto add = [&](double t, int part, const std::string& name) {
     list += "<DataSet timestep=\"";
-    append(list, t);
+    append_field(list, t);
     list.back() = '"';
     list += " part=\"" + std::to_string(part) + "\" file=\"" + within + name + "\"/>\n";
   };

@@ -10,6 +10,7 @@
 #include "libtrack/file.h"
 #include "reports/comparison/tables.h"
 #include "reports/comparison/words.h"
+#include "reports/write/json_parts.h"
 #include "reports/write/number.h"
 #include "reports/write/plain_text.h"
 
@@ -17,7 +18,7 @@ namespace swarmfit {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using json_parts::Json;
 
 std::string place(const ModelAcross& m, std::size_t recording) {
   if (m.rank[recording] == 0) return kUndefined;

@@ -8,13 +8,14 @@
 
 #include "reports/comparison/tables.h"
 #include "reports/comparison/words.h"
+#include "reports/write/json_parts.h"
 #include "reports/write/page.h"
 #include "reports/write/unit_text.h"
 
 namespace swarmfit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_parts::Json;
 
 // Five digits are more than a screen can show and keep the page small.
 Json short_number(double value) { return std::isfinite(value) ? Json::parse(fmt::format("{:.5g}", value)) : Json(); }

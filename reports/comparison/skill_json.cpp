@@ -4,12 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/comparison/words.h"
+#include "reports/write/json_parts.h"
 #include "reports/write/unit_text.h"
 
 namespace swarmfit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_parts::Json;
 
 template <class T>
 Json per_column(const Comparison& c, const PerColumn<T>& values) {

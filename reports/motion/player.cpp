@@ -8,12 +8,13 @@
 
 #include "reports/motion/film.h"
 #include "reports/write/assets.h"
+#include "reports/write/json_parts.h"
 #include "reports/write/page.h"
 
 namespace swarmfit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_parts::Json;
 
 // Frame numbers as runs of consecutive ones: [first, how many].
 Json clock_data(const std::vector<std::int64_t>& clock) {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "libtrack/nan.h"
 #include "reports/draw/heat_map.h"
 #include "reports/draw/plot.h"
 #include "reports/write/unit_text.h"
@@ -31,7 +31,7 @@ plot::Curve thinned(const TrackMeta& meta, std::span<const std::int64_t> frame, 
     for (std::size_t i = k; i < end; ++i)
       if (std::isfinite(values[i])) sum += values[i], ++count;
     const double time = meta.t0 + meta.dt * 0.5 * static_cast<double>(frame[k] + frame[end - 1]);
-    out.push_back({time, count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN()});
+    out.push_back({time, count > 0 ? sum / count : kNaN});
   }
   return out;
 }

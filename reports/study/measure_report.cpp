@@ -10,18 +10,17 @@
 #include "reports/comparison/tables.h"
 #include "reports/study/measure_figures.h"
 #include "reports/study/measure_html.h"
+#include "reports/write/json_parts.h"
 #include "reports/write/number.h"
 #include "reports/write/plain_text.h"
 
 namespace swarmfit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_parts::finite;
+using json_parts::Json;
 
-constexpr std::size_t kWidth = 80;
 constexpr std::size_t kMostSpells = 12;
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json numbers(const std::vector<double>& values) {
   Json out = Json::array();
@@ -111,7 +110,7 @@ Json group_json(const MeasuredGroup& g, const TrackMeta& meta) {
 }
 
 // A name of a group as part of a file's name: letters, digits, and "_" for anything else.
-std::string file_part(const std::string& name) {
+std::string group_part(const std::string& name) {
   std::string out;
   for (const char c : name) out += (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ? c : '_';
   return out.substr(0, 60);
@@ -124,7 +123,7 @@ std::string curve_csv(const GroupCurve& c) {
 }
 
 void write_group(const std::string& dir, std::size_t number, const TrackMeta& meta, const MeasuredGroup& g) {
-  const std::string tail = number == 0 ? "" : fmt::format("_{}_{}", number, file_part(g.name));
+  const std::string tail = number == 0 ? "" : fmt::format("_{}_{}", number, group_part(g.name));
   write_file_atomically(dir + "/tables/series" + tail + ".csv", series_csv(meta, g));
   for (const GroupCurve& c : g.curves.curves) write_file_atomically(fmt::format("{}/tables/{}{}.csv", dir, c.key, tail), curve_csv(c));
 }
@@ -139,17 +138,17 @@ std::string measure_text(const TrackMeta& meta, const Measured& measured, TextSt
   std::string out;
   for (const MeasuredGroup& g : measured.groups) {
     if (!out.empty()) out += '\n';
-    out += paint(wrapped(heading(g, meta), kWidth), Paint::bold, style) + "\n";
+    out += paint(wrapped(heading(g, meta), kTextWidth), Paint::bold, style) + "\n";
     out += means_text(g, meta, style);
     if (std::isfinite(g.curves.correlation_length))
       out += wrapped(fmt::format(" correlation length of velocity fluctuations {} {}, standard error {}",
                                  rounded(g.curves.correlation_length), printable(meta.unit), rounded(g.curves.correlation_length_se)),
-                     kWidth, " ") +
+                     kTextWidth, " ") +
              '\n';
     out += states_text(g, meta);
   }
   out += wrapped("\nIntervals are of the mean over time, from blocks of two correlation times or more; a dash: too short for four of them.",
-                 kWidth);
+                 kTextWidth);
   return finished(out + '\n', style);
 }
 

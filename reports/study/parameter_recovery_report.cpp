@@ -9,15 +9,15 @@
 #include "libtrack/file.h"
 #include "reports/comparison/tables.h"
 #include "reports/study/parameter_recovery_html.h"
+#include "reports/write/json_parts.h"
 #include "reports/write/number.h"
 #include "reports/write/plain_text.h"
 
 namespace swarmfit {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+using json_parts::finite;
+using json_parts::Json;
 
 }  // namespace
 

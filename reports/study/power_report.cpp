@@ -10,13 +10,15 @@
 #include "reports/comparison/tables.h"
 #include "reports/comparison/words.h"
 #include "reports/study/power_html.h"
+#include "reports/write/json_parts.h"
 #include "reports/write/number.h"
 #include "reports/write/plain_text.h"
 
 namespace swarmfit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_parts::finite;
+using json_parts::Json;
 
 const std::string& planted(const Power& p, const PowerPair& pair) { return p.recovery.planted[pair.planted]; }
 const std::string& rival(const Power& p, const PowerPair& pair) { return p.recovery.compared[pair.rival]; }
@@ -38,8 +40,6 @@ const PowerPair& turned(const Power& p, const PowerPair& pair) {
   return *std::find_if(p.pairs.begin(), p.pairs.end(),
                        [&](const PowerPair& other) { return planted(p, other) == rival(p, pair) && rival(p, other) == planted(p, pair); });
 }
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 }  // namespace
 

@@ -9,12 +9,13 @@
 #include "reports/comparison/tables.h"
 #include "reports/study/recovery_counts.h"
 #include "reports/study/recovery_html.h"
+#include "reports/write/json_parts.h"
 #include "reports/write/number.h"
 
 namespace swarmfit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_parts::Json;
 
 std::string count_text(int n) { return n > 0 ? std::to_string(n) : "·"; }
 

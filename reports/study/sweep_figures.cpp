@@ -85,12 +85,6 @@ SweepFigure heat_figure(const Sweep& s, const Slice& slice, std::size_t quantity
           sheet.document(kBox.bottom() + 32, title, "A cell per pair of values.")};
 }
 
-std::string state_name(const std::string& key) {
-  for (const GroupState& state : state_table())
-    if (state.key == key) return std::string(state.name);
-  return key;
-}
-
 SweepFigure state_figure(const Sweep& s, const Slice& slice) {
   auto map = map_of<plot::NameMap>(s, slice);
   std::vector<std::string> keys;

@@ -15,17 +15,17 @@
 #include "reports/study/measure_figures.h"
 #include "reports/study/study_html.h"
 #include "reports/study/sweep_figures.h"
+#include "reports/write/json_parts.h"
 #include "reports/write/number.h"
 #include "reports/write/plain_text.h"
 
 namespace swarmfit {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_parts::finite;
+using json_parts::Json;
 
-constexpr std::size_t kWidth = 80, kMostFigures = 40;
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+constexpr std::size_t kMostFigures = 40;
 
 std::map<std::string, int> states_of(const SweepCell& cell) {
   std::map<std::string, int> out;
@@ -43,12 +43,6 @@ std::map<std::string, int> states_of(const Sweep& s) {
 
 std::int64_t blown_up(const SweepCell& cell) {
   return std::count_if(cell.runs.begin(), cell.runs.end(), [](const SweepRun& run) { return run.blew_up; });
-}
-
-std::string state_name(const std::string& key) {
-  for (const GroupState& state : state_table())
-    if (state.key == key) return std::string(state.name);
-  return key;
 }
 
 struct Ends {
@@ -156,7 +150,7 @@ std::string place_head(const Sweep& s) {
 }  // namespace
 
 std::string sweep_text(const Sweep& s, TextStyle style) {
-  std::string out = paint(wrapped(sentence(s), kWidth), Paint::bold, style) + "\n\n";
+  std::string out = paint(wrapped(sentence(s), kTextWidth), Paint::bold, style) + "\n\n";
   constexpr auto l = Align::left, r = Align::right;
   TextTable ranges({l, r, r}, style);
   ranges.row({"mean of a cell", "least", "largest"}, Paint::bold);

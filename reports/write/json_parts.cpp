@@ -19,6 +19,8 @@ constexpr auto kItself = [](const auto& value) { return value; };
 
 std::string text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
 Json array(const Eigen::Array3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
 const char* name(Normalisation normalisation) {

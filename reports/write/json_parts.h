@@ -15,6 +15,7 @@ using Json = nlohmann::ordered_json;
 using Columns = std::vector<Column>;
 
 std::string text(const Json& json);
+Json finite(double value);  // null, if it is not
 Json array(const Eigen::Array3d& v);
 const char* name(Normalisation normalisation);
 
