@@ -10,6 +10,7 @@
 #include "cli/config_file.h"
 #include "cli/tables.h"
 #include "libtrack/error.h"
+#include "libtrack/read/join.h"
 
 namespace swarmfit::cli {
 namespace {
@@ -124,6 +125,21 @@ std::vector<std::string> checked(const Setting& setting, std::vector<std::string
   return words;
 }
 
+namespace {
+
+// A shell makes many words of goats/*.csv.
+void gather_files(Arguments& a, bool several) {
+  if (a.recordings.size() < 2 || a.command == "evaluate") return;
+  if (a.read.join) {
+    a.read.joined = std::move(a.recordings);
+    a.recordings = {common_pattern(a.read.joined)};
+  } else if (!several) {
+    throw InputError(fmt::format("{}: {} files; expected one, or --join to read them as one recording", a.command, a.recordings.size()));
+  }
+}
+
+}  // namespace
+
 Arguments understood(const Command& command, const Values& given) {
   Arguments a;
   a.command = command.name;
@@ -133,6 +149,7 @@ Arguments understood(const Command& command, const Values& given) {
   if ((command.bit & kComparisons) != 0) fill_protocol(values, command.bit);
   for (const Setting& s : settings())
     if (holds_in(s, command.bit)) use(s, a, values);
+  gather_files(a, (command.bit & kFits) != 0);
   if ((command.bit & kMeasurements) != 0) a.config = config_of(command.bit, written);
   if ((command.bit & kComparisons) == 0) return a;
   // What recover compares with stays as it was given: every recording that it makes is another one.

@@ -108,6 +108,16 @@ std::vector<std::string> files_to_join(const std::string& path) {
   return files;
 }
 
+std::string common_pattern(const std::vector<std::string>& files) {
+  const fs::path first = files.front();
+  const auto alike = [&](auto part) {
+    return std::all_of(files.begin(), files.end(), [&](const fs::path& f) { return part(f) == part(first); });
+  };
+  const auto folder = [](const fs::path& f) { return f.parent_path(); };
+  const auto ending = [](const fs::path& f) { return f.extension(); };
+  return ((alike(folder) ? folder(first) : fs::path()) / ("*" + (alike(ending) ? ending(first).string() : ""))).string();
+}
+
 RawTable joined(const std::string& name, std::vector<RawTable> tables) {
   RawTable out;
   out.file = name;

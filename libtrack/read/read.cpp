@@ -8,6 +8,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "libtrack/error.h"
@@ -147,11 +148,14 @@ Interval parse_interval(std::string_view setting, std::string_view text) {
 }
 
 Tracks read_tracks(const std::string& path, const ReadOptions& options) {
+  std::error_code error;
+  if (!options.join && std::filesystem::is_directory(path, error))
+    throw InputError(path + ": is a folder; expected a file, or `join` to read the files in it as one recording");
   if (!options.join) return read_tracks_bytes(path, read_file(path), options);
   check(options);
   std::vector<RawTable> tables;
   std::string digests;
-  for (const auto& file : files_to_join(path)) {
+  for (const auto& file : options.joined.empty() ? files_to_join(path) : options.joined) {
     std::string bytes = read_file(file);
     digests += sha256_hex(bytes);
     tables.push_back(read_table(file, std::move(bytes), options));

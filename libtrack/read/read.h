@@ -33,6 +33,7 @@ struct ReadOptions {
   std::string dates{};                     // "day-first", "month-first"; empty: found out
   std::string decimal{};                   // "comma", "point"; empty: found out
   bool join = false;                       // the path is a folder, or a pattern with * and ?: its files are one recording
+  std::vector<std::string> joined{};       // with join: these files, and the path is what the recording is called
   bool wide = false;                       // several pairs of columns x, y are individuals, not points of one
   std::optional<double> missing{};         // positions with this value in x and y were not seen
   std::string format{};                    // name of a format; empty: found out

@@ -52,6 +52,17 @@ TEST_F(Program, NamesThePlaceOfABadRow) {
   expect_refused("describe bad.csv", "bad.csv");
 }
 
+// As a shell writes goats/*.csv.
+TEST_F(Program, JoinsFilesThatAreNamed) {
+  for (const char* name : {"a.csv", "b.csv"}) write(name, "frame,x,y\n0,1,2\n1,1,3\n2,1,4\n");
+  write("notes.md", "not joined");
+  const Result joined = run("describe a.csv b.csv --join --fps 10 --unit m --json");
+  EXPECT_EQ(joined.code, 0) << joined.err;
+  EXPECT_THAT(joined.out, AllOf(HasSubstr("\"tracks\": 2"), HasSubstr("*.csv")));
+  expect_refused("describe a.csv b.csv --fps 10 --unit m", "describe: 2 files; expected one, or --join to read them as one recording");
+  expect_refused("describe . --fps 10 --unit m", ".: is a folder; expected a file, or --join to read the files in it as one recording");
+}
+
 TEST_F(Program, ReadsStandardInput) {
   const Result r = run("describe - --fps 10 --unit m --json", "frame,particle,x,y\n0,1,2,3\n1,1,2.5,3\n2,1,3,3\n");
   EXPECT_EQ(r.code, 0) << r.err;

@@ -191,7 +191,7 @@ TEST(ReadErrors, NoSuchFileAndFolder) {
     return std::string("no error");
   };
   EXPECT_EQ(message("/no/such/file.csv"), "/no/such/file.csv: no such file; expected the path of a recording");
-  EXPECT_EQ(message("/tmp"), "/tmp: is a folder; expected a file");
+  EXPECT_EQ(message("/tmp"), "/tmp: is a folder; expected a file, or `join` to read the files in it as one recording");
 }
 
 TEST(ParseInterval, BothEndsMayBeOpen) {

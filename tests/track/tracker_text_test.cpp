@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "libtrack/read/join.h"
 #include "tests/track/build.h"
 
 namespace swarmfit {
@@ -207,6 +208,22 @@ TEST(Join, AFolderIsOneRecording) {
     EXPECT_THAT(tracks.meta().from.notes, ElementsAre("3 files were joined, individuals named by their files"));
   }
   EXPECT_EQ(read_tracks(folder.path("fish1*.csv"), options).track_count(), 1u);
+}
+
+TEST(Join, FilesThatAreNamedAreOneRecording) {
+  const Folder folder;
+  for (int k : {0, 2, 10}) folder.add("fish" + std::to_string(k) + ".csv", "frame,X (cm),Y (cm)\n0,1,2\n1," + std::to_string(k) + ",2\n");
+  auto options = at_25_hertz();
+  options.join = true;
+  options.joined = {folder.path("fish10.csv"), folder.path("fish2.csv")};
+  EXPECT_THAT(read_tracks("two fish", options).names(), ElementsAre("fish10", "fish2"));
+  EXPECT_EQ(read_tracks("two fish", options).meta().from.path, "two fish");
+}
+
+TEST(Join, TheyAreCalledByWhatTheyShare) {
+  EXPECT_EQ(common_pattern({"goats/1.csv", "goats/2.csv"}), "goats/*.csv");
+  EXPECT_EQ(common_pattern({"goats/1.csv", "goats/2.txt"}), "goats/*");
+  EXPECT_EQ(common_pattern({"a/1.csv", "b/1.csv"}), "*.csv");
 }
 
 TEST(Join, SeveralIndividualsInAFileKeepTheirNames) {
