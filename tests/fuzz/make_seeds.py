@@ -346,6 +346,33 @@ def readers():
     return all
 
 
+# ---- meshes: a tetrahedron ---------------------------------------------------------------------------------------------------------
+
+CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+
+
+def ply(order):
+    head = ["ply", f"format {order} 1.0", "comment made by hand", "element vertex 4", "property float x", "property double y", "property uchar red",
+            "property int z", "element face 4", "property list uchar ushort vertex_indices", "element other 1", "property list int short junk", "end_header"]
+    if order == "ascii":
+        return text(*head, *[f"{x} {y} 9 {z}" for x, y, z in CORNERS], *["3 {} {} {}".format(*face) for face in FACES], "2 7 7")
+    end = ">" if order == "binary_big_endian" else "<"
+    return text(*head) + b"".join(struct.pack(end + "fdBi", x, y, 9, z) for x, y, z in CORNERS) + \
+        b"".join(struct.pack(end + "B3H", 3, *face) for face in FACES) + struct.pack(end + "i2h", 2, 7, 7)
+
+
+def meshes():
+    facet = lambda face: ["facet normal 0 0 0", "outer loop", *["vertex {} {} {}".format(*CORNERS[k]) for k in face], "endloop", "endfacet"]
+    soup = b"".join(struct.pack("<12fH", 0, 0, 0, *[v for k in face for v in CORNERS[k]], 0) for face in FACES)
+    square = text("v 0 0 0", "v 1 0 0", "v 1 1 0", "v 0 1 0", "v .5 .5 1", "f 4 3 2 1", "f 1 2 5", "f 2 3 5", "f 3 4 5", "f 4 1 5")
+    return {"mesh-obj": {"body": text("# a comment", "o body", *["v {} {} {}".format(*c) for c in CORNERS], "vn 0 0 1", "f 1/1/1 3 2", "f 1 2 4", "f 2//1 3 4",
+                                      "f -4 -1 -2"), "pyramid": square},
+            "mesh-stl": {"text": text("solid body", *[line for face in FACES for line in facet(face)], "endsolid body"),
+                         "binary": b"made by hand".ljust(80) + struct.pack("<I", 4) + soup},
+            "mesh-ply": {order: ply(order) for order in ("ascii", "binary_little_endian", "binary_big_endian")}}
+
+
 # ---- what the program reads back from itself -----------------------------------------------------------------------------------------
 
 
@@ -374,7 +401,7 @@ def settings():
 
 
 def main(folder):
-    for target, seeds in {**readers(), **settings()}.items():
+    for target, seeds in {**readers(), **meshes(), **settings()}.items():
         at = Path(folder) / target
         at.mkdir(parents=True, exist_ok=True)
         for name, data in seeds.items():
