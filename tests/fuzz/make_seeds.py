@@ -292,6 +292,15 @@ MOTIVE = text("Format Version,1.23,Take Name,one,Capture Frame Rate,100.000000,E
               ",,Rotation,Rotation,Rotation,Rotation,Position,Position,Position", "Frame,Time,X,Y,Z,W,X,Y,Z", *[f"{f},{f / 100},0,0,0,1,{f},1,2" for f in range(4)])
 
 
+def pickled(value, protocol, header=True):
+    head = npy(np.array(0.0))[:10] + b"{'descr': '|O', 'fortran_order': False, 'shape': (), }".ljust(117) + b"\n"
+    return (head if header else b"") + pickle.dumps(np.array(value, object) if header else value, protocol)
+
+
+IDTRACKER = {"trajectories": POSITIONS, "id_probabilities": np.ones((4, 2, 1)), "git_commit": "0", "frames_per_second": 25, "body_length": np.float64(10),
+             "setup_points": {"border": np.array([[1, 2], [3, 4]])}, "identities_labels": ["a", "b"], "stats": (None, True, -70000, 1.5, 2**40)}
+
+
 def swarmfit_npz():
     return packed({f"{name}.npy": npy(np.array(value)) for name, value in {
         "swarmfit": "tracks/1", "unit": "mm", "dt": 0.04, "t0": 0.5, "names": ["a", "b"], "notes": ["smoothed"], "episodes": [2], "track": [0, 1, 0, 1],
@@ -311,6 +320,9 @@ def readers():
         "trackmate": {"model": TRACKMATE, "simple": SIMPLE}, "gpx": {"gpx": GPX},
         "ethovision-xlsx": {"xlsx": xlsx(ETHOVISION_ROWS)},
         "xlsx": {"xlsx": xlsx([["id", "frame", "x", "y"], [1, 0, 1.5, 2], [1, 1, 1.6, 2], [2, 0, 3, 3]]), "wide": xlsx([["frame", "x1", "y1", "x2", "y2"], [0, 1, 2, 3, 4], [1, 2, 3, 4, 5]])},
+        "idtracker-npy": {f"protocol{k}": pickled(IDTRACKER, k) for k in (2, 3, 4, 5)},
+        "pickle": {"array": pickled(np.array([[1.0, 0, 2, 3], [1, 1, 3, 4]]), 4, False), "fortran": pickled(np.asfortranarray(POSITIONS), 5, False),
+                   "columns": pickled({"id": np.array([1, 1]), "frame": np.array([0, 1]), "x": np.float32([1, 2]), "y": np.array([1, 2], ">i2")}, 4, False)},
         "swarmfit-npz": {"npz": swarmfit_npz()},
         "trex": {"fish0": packed({f"{n}.npy": npy(np.float32(v)) for n, v in TREX.items()})},
         "numpy": {"columns": packed({f"{n}.npy": npy(np.array(v)) for n, v in {"id": [1, 1, 2], "frame": [0, 1, 0], "x": [1.0, 2, 3], "y": [1.0, 2, 3]}.items()}),

@@ -68,7 +68,7 @@ TEST(Numpy, ChoosingAnArray) {
 }
 
 TEST(Numpy, FaultsAreNamed) {
-  EXPECT_THAT(error_of(npy({2, 3}, "|O", "")), HasSubstr("is a Python pickle; expected numbers"));
+  EXPECT_THAT(error_of(zipped({{"a.npy", npy({2, 3}, "|O", "")}})), HasSubstr("is a Python pickle; expected numbers"));
   EXPECT_THAT(error_of(npy({2, 3}, "<c16", "")), HasSubstr("is of type '<c16'; expected real numbers"));
   EXPECT_THAT(error_of(npy({1'000'000'000, 1'000'000'000, 1'000'000'000}, "<f8", "12345678")), HasSubstr("more than are there"));
   EXPECT_THAT(error_of(npy({0, 4}, "<f8", ""), flags("id,frame,x,y")), HasSubstr("the array is empty"));
