@@ -187,8 +187,8 @@ TEST_F(Hostile, ASignalEndsReading) {
 }
 
 TEST_F(Hostile, ASignalEndsSimulate) {
-  const Result r = run("--version >/dev/null; timeout -s INT -k 20 1 '" SWARMFIT_PROGRAM
-                       "' simulate boids --agents 1000 --frames 1000000 -o film.csv");
+  const Result r =
+      run("--version >/dev/null; timeout -s INT -k 20 1 '" SWARMFIT_PROGRAM "' simulate boids --agents 1000 --frames 1000000 -o film.csv");
   EXPECT_EQ(r.code, 124) << "ended by the first signal, not killed";
   EXPECT_FALSE(fs::exists(dir_ / "film.csv"));
 }
