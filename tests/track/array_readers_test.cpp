@@ -2,6 +2,8 @@
 // NumPy arrays, TRex, and recordings packed by gzip and zip.
 #include <gmock/gmock.h>
 
+#include <malloc.h>
+
 #include <limits>
 
 #include "tests/track/build.h"
@@ -48,6 +50,17 @@ TEST(Numpy, PositionsByFrameAndIndividual) {
   const auto swapped = read(npy({3, 2, 2}, ">i4", data, true), flags("frame,id,x,y"));
   EXPECT_EQ(swapped.pos()(5, 0), 12) << "animal 1 in frame 2";
   EXPECT_EQ(swapped.pos()(5, 1), 112);
+}
+
+// What was opened before the damage was found once stayed open, and so was its memory lost.
+TEST(Numpy, ADamagedArchiveIsClosed) {
+  std::string bytes = zipped({{"x.npy", npy({2}, {1, 2})}, {"y.npy", npy({2}, {5, 6})}});
+  bytes[bytes.rfind("PK\1\2")] = '?';
+  const auto refused = [&] { return error_of(bytes, flags()); };
+  EXPECT_THAT(refused(), HasSubstr("the zip archive cannot be read; expected an undamaged file"));
+  const auto before = mallinfo2().uordblks;
+  for (int k = 0; k < 100; ++k) static_cast<void>(refused());
+  EXPECT_LT(mallinfo2().uordblks, before + 20'000);
 }
 
 TEST(Numpy, OneArrayPerColumn) {
