@@ -21,20 +21,19 @@ struct Share {
   End end = End::good;
   std::string why;
   std::vector<std::string> results;
-  bool over = false;
 };
-auto fields(Share& s) { return std::tie(s.end, s.why, s.results, s.over); }
+auto fields(Share& s) { return std::tie(s.end, s.why, s.results); }
 
 Share done(const Threads& here, std::size_t first, std::size_t step, std::size_t pieces, const Executor::Work& work) {
   const std::size_t count = pieces > first ? (pieces - first + step - 1) / step : 0;
   try {
-    return {End::good, {}, here.run(count, [&](std::size_t k) { return work(first + k * step); }), false};
+    return {End::good, {}, here.run(count, [&](std::size_t k) { return work(first + k * step); })};
   } catch (const Interrupted&) {
-    return {End::interrupted, {}, {}, false};
+    return {End::interrupted, {}, {}};
   } catch (const InputError& e) {
-    return {End::input_error, e.what(), {}, false};
+    return {End::input_error, e.what(), {}};
   } catch (const std::exception& e) {
-    return {End::error, e.what(), {}, false};
+    return {End::error, e.what(), {}};
   }
 }
 
@@ -158,24 +157,21 @@ int Cluster::leave(int code, const std::string& why) {
 }
 
 std::vector<std::string> Processes::run(std::size_t pieces, const Work& work) const {
-  if (was_over_) throw Interrupted{};
-  if (cluster_.size() == 1) {
-    auto results = here_.run(pieces, work);
-    was_over_ = over_();
-    return results;
-  }
+  if (cluster_.size() == 1) return here_.run(pieces, work);
   const auto processes = static_cast<std::size_t>(cluster_.size());
-  Share own = done(here_, static_cast<std::size_t>(cluster_.rank()), processes, pieces, work);
-  own.over = over_();
+  in_batch_ = true;
+  const Share own = done(here_, static_cast<std::size_t>(cluster_.rank()), processes, pieces, work);
+  in_batch_ = false;
   std::vector<Share> shares;
   for (const std::string& bytes : cluster_.exchange(to_bytes(own))) shares.push_back(from_bytes<Share>(bytes));
-  for (const Share& share : shares) {
-    throw_again(share);
-    was_over_ = was_over_ || share.over;
-  }
+  for (const Share& share : shares) throw_again(share);
   std::vector<std::string> results;
   for (std::size_t k = 0; k < pieces; ++k) results.push_back(std::move(shares[k % processes].results[k / processes]));
   return results;
+}
+
+void Processes::stop_if_asked() const {
+  if (cluster_.size() == 1 || in_batch_) here_.stop_if_asked();
 }
 
 }  // namespace swarmfit::cli

@@ -3,6 +3,8 @@
 // pieces of work are shared out among them, and every result is brought to all. The first alone writes and speaks.
 #pragma once
 
+#include <atomic>
+
 #include "fit/experiment/executor.h"
 
 namespace swarmfit::cli {
@@ -44,17 +46,16 @@ Cluster& cluster();
 // Shares work out among the threads of all processes: piece k is done by process k modulo their number.
 class Processes : public Executor {
  public:
-  // `stopped` is asked before every piece, from any thread, and ends the work; `over` after every batch, and refuses the next one. It is
-  // enough that one process says so.
-  Processes(Cluster& cluster, std::function<bool()> stopped, std::function<bool()> over)
-      : cluster_(cluster), here_(std::move(stopped)), over_(std::move(over)) {}
+  // `stopped` is asked before every piece and within long ones, from any thread, and ends the work. It is enough that one process says so.
+  Processes(Cluster& cluster, std::function<bool()> stopped) : cluster_(cluster), here_(std::move(stopped)) {}
   std::vector<std::string> run(std::size_t pieces, const Work& work) const override;
+  // Of several processes not between two batches: there all take the same path.
+  void stop_if_asked() const override;
 
  private:
   Cluster& cluster_;
   Threads here_;
-  std::function<bool()> over_;
-  mutable bool was_over_ = false;  // in one of the processes, after the last batch
+  mutable std::atomic<bool> in_batch_ = false;
 };
 
 }  // namespace swarmfit::cli

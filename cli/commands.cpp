@@ -8,6 +8,7 @@
 #include <array>
 
 #include "cli/cluster.h"
+#include "cli/most_threads.h"
 #include "cli/parts.h"
 #include "cli/program.h"
 #include "cli/setting.h"
@@ -47,7 +48,7 @@ std::span<const Command> commands() { return kCommands; }
 
 int run(const Arguments& a) {
   const int threads = a.common.threads > 0 ? a.common.threads : cluster().threads();
-  if (threads > 0) omp_set_num_threads(threads);
+  omp_set_num_threads(std::min(threads > 0 ? threads : omp_get_max_threads(), kMostThreads));
   const auto command = std::find_if(kCommands.begin(), kCommands.end(), [&](const Command& c) { return c.name == a.command; });
   // What other processes have no part in, the first does alone.
   return (command->bit & kShared) != 0 || cluster().first() ? command->run(a) : 0;

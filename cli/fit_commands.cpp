@@ -70,6 +70,7 @@ Comparison run_one(const Arguments& a, const CompareOptions& options, const Trac
   const auto text = config_toml(options.models.size() > 1 ? "compare" : "fit", config);
   // Of several recordings, one whose turn had not come has no checkpoint to take up.
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, text}, a.resume);
+  checkpoint.on_add(something_was_kept);
   ProgressLine line(a.common.quiet);
   const OnCompareProgress on_progress = [&line](const CompareProgress& now) { line.show(now); };
   Tally tally;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/interrupt.h"
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <optional>
@@ -14,13 +15,15 @@ volatile std::sig_atomic_t signalled = 0;  // NOLINT(cppcoreguidelines-avoid-non
 
 std::optional<std::chrono::steady_clock::time_point> deadline;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
+std::atomic<bool> kept = false;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): of this process, as the time is
+
 void on_signal(int number) {
   signalled = 1;
   std::signal(number, SIG_DFL);
 }
 
-bool interrupted() { return signalled != 0; }
-bool time_is_up() { return deadline && std::chrono::steady_clock::now() >= *deadline; }
+bool time_is_up() { return deadline && kept && std::chrono::steady_clock::now() >= *deadline; }
+bool interrupted() { return signalled != 0 || time_is_up(); }
 
 struct Handler {
   Handler() {
@@ -36,9 +39,11 @@ void stop_after(double seconds) {
   deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
+void something_was_kept() { kept = true; }
+
 const Executor& executor() {
   static const Handler handler;
-  static const Processes all(cluster(), interrupted, time_is_up);
+  static const Processes all(cluster(), interrupted);
   return all;
 }
 

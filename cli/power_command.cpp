@@ -32,6 +32,7 @@ int power(const Arguments& a) {
   const Settings& settings = a.config;
   const Tracks recording = load(a, a.recordings.front());
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, recording.meta().from.sha256, config_toml("power", settings)}, a.resume);
+  checkpoint.on_add(something_was_kept);
   Power result;
   try {
     StudyProgress progress(a.common.quiet, 1 + options.compare.models.size() * static_cast<std::size_t>(a.seeds));

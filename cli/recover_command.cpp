@@ -72,6 +72,7 @@ int recover(const Arguments& a) {
   if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, "", config_toml("recover", a.config)}, a.resume);
+  checkpoint.on_add(something_was_kept);
   try {
     const int code = a.parameters ? recover_parameters_of(a, options, dir, checkpoint) : recover_models_of(a, options, dir, checkpoint);
     if (a.part.of > 1) return cluster().first() ? part_done(dir, a.part, a.common.quiet) : 0;

@@ -97,6 +97,7 @@ int sweep(const Arguments& a) {
   if (cluster().first()) check_run_directory(dir);
   if (a.max_time > 0) stop_after(a.max_time);
   Checkpoint checkpoint = checkpoint_in(dir, {kVersion, "", config_toml("sweep", a.config)}, a.resume);
+  checkpoint.on_add(something_was_kept);
   Sweep result;
   try {
     CountLine count(a.common.quiet || !cluster().first(), "runs");

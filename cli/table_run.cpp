@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Settings: how a command runs, and what it writes where.
+#include "cli/most_threads.h"
 #include "cli/parts.h"
 #include "cli/tables.h"
 
 namespace swarmfit::cli {
 namespace {
 
-constexpr double kMostThreads = 1024;  // libgomp gives up where the system has no more
-constexpr double kLongest = 1e9;       // seconds, some thirty years
+constexpr double kLongest = 1e9;  // seconds, some thirty years
 constexpr double kMostSeeds = 18446744073709551615.0;
 
 void out(Arguments& a, const Value& v) { a.out = v.text(); }

@@ -6,6 +6,7 @@
 
 #include "fit/experiment/checkpointed_batches.h"
 #include "fit/experiment/observe.h"
+#include "fit/experiment/stop_between_frames.h"
 #include "libswarm/mesh.h"
 #include "libswarm/walls.h"
 #include "libtrack/cut.h"
@@ -89,7 +90,8 @@ Run Ensemble::run(const Job& job) const {
                   static_cast<std::uint32_t>(conditions_.recording.track_count()), conditions_.grid);
   Plan plan = plan_;
   if (!choice_.spec->fixed_step) plan.substeps *= job.finer;
-  Lane lane{job.parameters, job.seed, State{}, conditions_.world, &camera, {}, false};
+  StopBetweenFrames watched(*runtime_.executor, camera);
+  Lane lane{job.parameters, job.seed, State{}, conditions_.world, &watched, {}, false};
   cpu_backend().run(*model_, plan, {&lane, 1});
   TrackMeta meta = conditions_.recording.meta();
   meta.from = {};

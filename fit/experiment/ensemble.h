@@ -63,7 +63,7 @@ class Ensemble {
     return out;
   }
 
-  // One run, here and now: for a film. The same bits in every process.
+  // One run, here and now: for a film. The same bits in every process. Throws Interrupted.
   Run run(const Job& job) const;
 
   const ModelChoice& model() const { return choice_; }

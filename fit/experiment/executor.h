@@ -24,6 +24,9 @@ class Executor {
   // throws is thrown on, that of the first of them; Interrupted where the work was asked to stop.
   virtual std::vector<std::string> run(std::size_t pieces, const Work& work) const = 0;
 
+  // For long pieces, which call it now and then, from any thread: throws Interrupted where the work was asked to stop.
+  virtual void stop_if_asked() const {}
+
   // The same for results that can be put into bytes (fit/store/bytes.h).
   template <class T, class Make>
   std::vector<T> each(std::size_t pieces, const Make& make) const {
@@ -33,11 +36,12 @@ class Executor {
   }
 };
 
-// All threads of this process (OpenMP's). Before every piece `stopped` is asked, if there is one, from any thread.
+// All threads of this process (OpenMP's). Before every piece and within long ones `stopped` is asked, if there is one, from any thread.
 class Threads : public Executor {
  public:
   explicit Threads(std::function<bool()> stopped = {}) : stopped_(std::move(stopped)) {}
   std::vector<std::string> run(std::size_t pieces, const Work& work) const override;
+  void stop_if_asked() const override;
 
  private:
   std::function<bool()> stopped_;

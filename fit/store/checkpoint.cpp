@@ -137,6 +137,7 @@ void Checkpoint::add(std::span<const Record> records) {
     file_->append(head_);
   }
   file_->append(bytes);
+  if (tell_) tell_();
 }
 
 std::size_t Checkpoint::size() const {

@@ -47,6 +47,8 @@ class Checkpoint {
   std::optional<std::string> find(const std::string& key) const;
   // Throws RunError when the disk is full; what was added before stays good.
   void add(std::span<const Record> records);
+  // Called after every add() of something that has reached the file, from its thread. Not while anything is added.
+  void on_add(std::function<void()> tell) { tell_ = std::move(tell); }
 
   std::size_t size() const;
 
@@ -56,7 +58,7 @@ class Checkpoint {
 
   std::string path_, head_;
   bool written_ = true;  // to disk
-  std::function<void()> prepare_;
+  std::function<void()> prepare_, tell_;
   std::map<std::string, std::string, std::less<>> kept_;
   std::string seal_;  // of the last record
   std::optional<AppendedFile> file_;

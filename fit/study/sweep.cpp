@@ -8,6 +8,7 @@
 #include <map>
 
 #include "fit/experiment/checkpointed_batches.h"
+#include "fit/experiment/stop_between_frames.h"
 #include "fit/optimise/differential_evolution.h"
 #include "libeval/energy.h"
 #include "libeval/order.h"
@@ -63,7 +64,7 @@ class Measure {
 };
 
 // The scenes of one chain of runs, each of which begins where the last one ended; a chain of one for a plain cell.
-std::vector<SweepRun> simulated(const SweepOptions& options, const std::vector<Scenario>& scenes, std::uint64_t seed) {
+std::vector<SweepRun> simulated(const SweepOptions& options, const std::vector<Scenario>& scenes, std::uint64_t seed, const Executor& by) {
   Scenario first = scenes.front();
   first.seed = seed;
   Plan plan = plan_of(first);
@@ -73,7 +74,8 @@ std::vector<SweepRun> simulated(const SweepOptions& options, const std::vector<S
   for (const Scenario& scene : scenes) {
     Measure measure(options, scene, plan.first_frame);
     lane.p = scene.parameters;
-    lane.out = &measure.sink();
+    StopBetweenFrames watched(by, measure.sink());
+    lane.out = &watched;
     if (!lane.blew_up) cpu_backend().run(*rule, plan, {&lane, 1});
     out.push_back(measure.result(seed, lane.blew_up));
     plan.first_frame += plan.frames;
@@ -195,7 +197,7 @@ Sweep run_sweep(const SweepOptions& options, const OnSweep& on_progress, const R
   const auto make = [&](std::size_t piece) {
     std::vector<Scenario> chain;
     for (const std::size_t cell : all[piece / seeds]) chain.push_back(scenes[cell]);
-    return to_bytes(simulated(options, chain, options.seed + piece % seeds));
+    return to_bytes(simulated(options, chain, options.seed + piece % seeds, *runtime.executor));
   };
   const auto work = [&](std::span<const std::size_t> batch) {
     return runtime.executor->run(batch.size(), [&](std::size_t i) { return make(pieces[batch[i]]); });

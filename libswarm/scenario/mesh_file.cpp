@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "libtrack/error.h"
+#include "libtrack/utf8.h"
 
 namespace swarmfit {
 
@@ -31,6 +32,8 @@ bool MeshLines::next() {
   return false;
 }
 
+std::string MeshLines::shown(std::string_view word) { return plain_name(word.substr(0, 40)); }
+
 void MeshLines::refuse(const std::string& what) const { throw InputError(at(name_, line_, 0, what)); }
 
 std::string_view MeshLines::word(std::size_t number) const {
@@ -43,7 +46,7 @@ double MeshLines::number(std::size_t at) const {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    refuse(fmt::format("'{}' is no finite number; expected one", text.substr(0, 40)));
+    refuse(fmt::format("'{}' is no finite number; expected one", shown(text)));
   return value;
 }
 
@@ -51,8 +54,7 @@ std::int64_t MeshLines::whole(std::size_t at) const {
   const std::string_view text = word(at);
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
-    refuse(fmt::format("'{}' is no whole number; expected one", text.substr(0, 40)));
+  if (error != std::errc() || end != text.data() + text.size()) refuse(fmt::format("'{}' is no whole number; expected one", shown(text)));
   return value;
 }
 

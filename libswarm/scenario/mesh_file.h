@@ -35,7 +35,8 @@ class MeshLines {
   std::int64_t whole(std::size_t word) const;
   Eigen::Array3d place(std::size_t first_word) const;
   [[noreturn]] void refuse(const std::string& what) const;
-  std::string_view rest() const { return rest_; }  // what stands behind this line
+  static std::string shown(std::string_view word);  // for messages: its beginning, on one line
+  std::string_view rest() const { return rest_; }   // what stands behind this line
 
  private:
   std::string_view word(std::size_t number) const;

@@ -16,7 +16,7 @@ std::uint32_t corner_of(const MeshLines& lines, std::string_view word, std::size
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const auto count = static_cast<std::int64_t>(corners);
   if (error != std::errc() || end != text.data() + text.size() || number == 0 || number > count || number < -count)
-    lines.refuse(fmt::format("'{}' is none of the {} corners before it; expected their number, from 1", word.substr(0, 40), count));
+    lines.refuse(fmt::format("'{}' is none of the {} corners before it; expected their number, from 1", MeshLines::shown(word), count));
   return static_cast<std::uint32_t>(number > 0 ? number - 1 : count + number);
 }
 

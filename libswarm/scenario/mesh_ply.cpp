@@ -40,7 +40,7 @@ Type type_of(const MeshLines& lines, std::string_view word) {
       {"float", Type::f32}, {"float32", Type::f32}, {"double", Type::f64}, {"float64", Type::f64}};
   for (const auto& [name, type] : kNames)
     if (name == word) return type;
-  lines.refuse(fmt::format("'{}' is no type; expected one of PLY's, as int or float", word.substr(0, 40)));
+  lines.refuse(fmt::format("'{}' is no type; expected one of PLY's, as int or float", MeshLines::shown(word)));
 }
 
 std::size_t size_of(Type type) {
@@ -181,7 +181,7 @@ MeshText read_ply(const std::string& name, std::string_view bytes) {
   std::int64_t corners = 0;
   for (const Element& element : header.elements) {
     if (element.size > 0 && element.properties.empty())
-      throw InputError(fmt::format("{}: element {} has no property; expected some", name, element.name));
+      throw InputError(fmt::format("{}: element {} has no property; expected some", name, MeshLines::shown(element.name)));
     if (element.name == "vertex") corners = element.size;
   }
   Values values(name, lines, header.order);

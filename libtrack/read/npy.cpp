@@ -17,9 +17,7 @@ namespace swarmfit {
 namespace {
 
 struct Header {
-  std::string type;  // "<f8"
-  bool fortran = false;
-  std::vector<std::size_t> dims;
+  NumberLayout layout;
   std::size_t data_at = 0;
 };
 
@@ -59,7 +57,7 @@ std::optional<Header> parse_header(std::string_view bytes) {
   const auto type = entry(text, "'descr'");
   const auto dims = shape(entry(text, "'shape'"));
   if (!type.starts_with('\'') || !dims) return std::nullopt;
-  return Header{std::string(type.substr(1, type.find('\'', 1) - 1)), entry(text, "'fortran_order'").starts_with("True"), *dims,
+  return Header{{std::string(type.substr(1, type.find('\'', 1) - 1)), entry(text, "'fortran_order'").starts_with("True"), *dims},
                 start + length};
 }
 
@@ -105,49 +103,64 @@ std::vector<double> row_major(const std::vector<double>& from, const std::vector
   return out;
 }
 
+bool holds_objects(const NumberLayout& layout) { return layout.type.size() < 3 || layout.type.find('O') != std::string::npos; }
+
+InputError fault(const std::string& file, const std::string& name, const std::string& what) {
+  return InputError(fmt::format("{}: {}{}", file, name.empty() ? "" : fmt::format("array '{}' ", name), what));
+}
+
 }  // namespace
 
 std::string NumberArray::shown() const { return fmt::format("{} ({})", name, fmt::join(dims, " x ")); }
 
-NumberArray parse_npy(const std::string& file, const std::string& name, std::string_view bytes) {
-  const auto fail = [&](const std::string& what) -> InputError {
-    return InputError(fmt::format("{}: {}{}", file, name.empty() ? "" : fmt::format("array '{}' ", name), what));
-  };
-  const auto header = is_npy(bytes) ? parse_header(bytes) : std::nullopt;
-  if (!header) throw fail("has no header of a NumPy array of numbers; expected one");
-  if (header->type.size() < 3 || header->type.find('O') != std::string::npos)
-    throw fail(
-        "is a Python pickle; expected numbers (in Python: load it with numpy.load(FILE, allow_pickle=True) and save rows of id,frame,x,y "
-        "as CSV)");
-  const auto convert = converter(std::string_view(header->type).substr(1));
-  if (!convert) throw fail(fmt::format("is of type '{}'; expected real numbers", plain_name(header->type.substr(0, 20))));
-  const auto data = bytes.substr(header->data_at);
+NumberArray numbers_of(const std::string& file, const std::string& name, const NumberLayout& layout, std::string_view data) {
+  const auto convert = converter(std::string_view(layout.type).substr(std::min<std::size_t>(1, layout.type.size())));
+  if (!convert) throw fault(file, name, fmt::format("is of type '{}'; expected real numbers", plain_name(layout.type.substr(0, 20))));
   double count = 1;
-  for (const auto d : header->dims) count *= static_cast<double>(d);
-  const auto width = static_cast<double>(header->type[2] - '0');
+  for (const auto d : layout.dims) count *= static_cast<double>(d);
+  const auto width = static_cast<double>(layout.type[2] - '0');
   if (count * width > static_cast<double>(data.size()))
-    throw fail(fmt::format("claims {} numbers, more than are there; expected an undamaged file", fmt::join(header->dims, " x ")));
-  NumberArray out{name, header->dims, std::vector<double>(static_cast<std::size_t>(count))};
-  convert(data, header->type[0] == '>', out.value);
-  if (header->fortran && out.dims.size() > 1) out.value = row_major(out.value, out.dims);
+    throw fault(file, name,
+                fmt::format("claims {} numbers, more than are there; expected an undamaged file", fmt::join(layout.dims, " x ")));
+  NumberArray out{name, layout.dims, std::vector<double>(static_cast<std::size_t>(count))};
+  convert(data, layout.type[0] == '>', out.value);
+  if (layout.fortran && out.dims.size() > 1) out.value = row_major(out.value, out.dims);
   return out;
+}
+
+bool is_number_type(std::string_view kind) { return converter(kind) != nullptr; }
+
+std::string_view npy_pickle(std::string_view bytes) {
+  const auto header = is_npy(bytes) ? parse_header(bytes) : std::nullopt;
+  return header && holds_objects(header->layout) ? bytes.substr(header->data_at) : std::string_view();
+}
+
+NumberArray parse_npy(const std::string& file, const std::string& name, std::string_view bytes) {
+  const auto header = is_npy(bytes) ? parse_header(bytes) : std::nullopt;
+  if (!header) throw fault(file, name, "has no header of a NumPy array of numbers; expected one");
+  if (holds_objects(header->layout))
+    throw fault(file, name,
+                "is a Python pickle; expected numbers (in Python: load it with numpy.load(FILE, allow_pickle=True) and save rows of "
+                "id,frame,x,y as CSV)");
+  return numbers_of(file, name, header->layout, bytes.substr(header->data_at));
 }
 
 bool is_npy_text(std::string_view bytes) {
   const auto header = is_npy(bytes) ? parse_header(bytes) : std::nullopt;
-  return header && header->type.starts_with("<U");
+  return header && header->layout.type.starts_with("<U");
 }
 
 std::vector<std::string> parse_npy_texts(const std::string& file, const std::string& name, std::string_view bytes) {
   const auto fail = [&](const std::string& what) { return InputError(fmt::format("{}: array '{}' {}", file, name, what)); };
   const auto header = is_npy(bytes) ? parse_header(bytes) : std::nullopt;
-  if (!header || !header->type.starts_with("<U")) throw fail("holds no texts; expected type '<U'");
+  if (!header || !header->layout.type.starts_with("<U")) throw fail("holds no texts; expected type '<U'");
   std::size_t length = 0;
-  const char* end = header->type.data() + header->type.size();
-  if (std::from_chars(header->type.data() + 2, end, length).ptr != end) throw fail("has no length; expected type '<U'");
+  const std::string& type = header->layout.type;
+  const char* end = type.data() + type.size();
+  if (std::from_chars(type.data() + 2, end, length).ptr != end) throw fail("has no length; expected type '<U'");
   const auto data = bytes.substr(header->data_at);
   double count = 1;
-  for (const auto d : header->dims) count *= static_cast<double>(d);
+  for (const auto d : header->layout.dims) count *= static_cast<double>(d);
   if (count * std::max(1.0, 4 * static_cast<double>(length)) > static_cast<double>(data.size()))
     throw fail("claims more texts than are there; expected an undamaged file");
   std::vector<std::string> out;

@@ -18,6 +18,20 @@ struct NumberArray {
 
 inline bool is_npy(std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); }
 
+// What stands behind the header of an array of Python objects: a pickle. Nothing: it is no such array.
+std::string_view npy_pickle(std::string_view bytes);
+
+// Is this, as in "f8", a type of numbers?
+bool is_number_type(std::string_view kind);
+
+// The numbers of this type, as in "<f8", in so many dimensions, in C's or Fortran's order. Throws as parse_npy().
+struct NumberLayout {
+  std::string type;
+  bool fortran = false;
+  std::vector<std::size_t> dims;
+};
+NumberArray numbers_of(const std::string& file, const std::string& name, const NumberLayout& layout, std::string_view data);
+
 // `file` and `name` are for messages. Throws InputError when the bytes are no array of numbers or more are claimed than are there.
 NumberArray parse_npy(const std::string& file, const std::string& name, std::string_view bytes);
 

@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include "libtrack/error.h"
-#include "libtrack/nan.h"
 #include "libtrack/read/formats.h"
-#include "libtrack/read/postures.h"
+#include "libtrack/read/idtracker_table.h"
 
 namespace swarmfit {
 namespace {
@@ -22,47 +21,27 @@ bool recognises(const Source& source, const ReadOptions&) {
   return root && root->attribute("frames_per_second") && root->attribute("body_length");
 }
 
-// The animals' names as the user gave them; numbers from 1 where they are not stated for all.
-std::vector<std::string> labels(const Hdf5Object& root, std::size_t animals) {
-  const auto* stated = root.attribute("identities_labels");
-  if (stated && stated->texts.size() == animals) return stated->texts;
-  std::vector<std::string> out;
-  for (std::size_t k = 1; k <= animals; ++k) out.push_back(std::to_string(k));
-  return out;
-}
-
 RawTable read(const Source& source, const ReadOptions& options) {
   const auto* contents = source.hdf5();
   const auto* positions = contents ? contents->find(kPositions) : nullptr;
   if (!is_trajectories(positions))
     throw InputError(
         fmt::format("{}: there are no {} (frames x animals x 2); expected trajectories.h5 of idtracker.ai", source.name, kPositions));
-  const std::size_t frames = positions->dims[0], animals = positions->dims[1];
+  const auto* root = contents->find("/");
   const auto* sure = contents->find(kConfidence);
-  const bool has_confidence = sure && sure->kind == Hdf5Object::Kind::numbers && sure->dims.size() >= 2 && sure->dims[0] == frames &&
-                              sure->dims[1] == animals && (sure->dims.size() == 2 || sure->dims[2] == 1);
+  const bool has_confidence = sure && sure->kind == Hdf5Object::Kind::numbers && sure->dims.size() >= 2 &&
+                              sure->dims[0] == positions->dims[0] && sure->dims[1] == positions->dims[1] &&
+                              (sure->dims.size() == 2 || sure->dims[2] == 1);
   std::vector<Hdf5Request> requests = {{std::string(kPositions)}};
   if (has_confidence) requests.push_back({std::string(kConfidence)});
-  const auto data = read_hdf5(source.name, source.bytes, requests);
+  auto data = read_hdf5(source.name, source.bytes, requests);
 
-  RawTable table;
-  table.file = source.name;
-  table.unit = "px";
-  const auto* root = contents->find("/");
-  if (const auto fps = root->number("frames_per_second"); fps && *fps > 0) table.dt = 1 / *fps;
-  const auto names = labels(*root, animals);
-  Postures postures(table, options, {"centroid"});
-  for (std::size_t k = 0; k < animals; ++k) {
-    const auto track = table.names.number(names[k]);
-    for (std::size_t f = 0; f < frames; ++f) {
-      const double* at = data[0].numbers.data() + 2 * (f * animals + k);
-      const std::span<const double> confidence =
-          has_confidence ? std::span(data[1].numbers).subspan(f * animals + k, 1) : std::span<const double>();
-      postures.add({track, static_cast<double>(f), kNaN, {at, 1}, {at + 1, 1}, {}, confidence});
-    }
-  }
-  postures.finish();
-  return table;
+  IdTrackerFile found;
+  found.positions = {"", positions->dims, std::move(data[0].numbers)};
+  if (has_confidence) found.confidence = {"", sure->dims, std::move(data[1].numbers)};
+  found.fps = root->number("frames_per_second");
+  if (const auto* stated = root->attribute("identities_labels")) found.names = stated->texts;
+  return idtracker_table(source.name, found, options);
 }
 
 }  // namespace

@@ -20,14 +20,11 @@ struct Refusal {
 };
 
 constexpr std::string_view kPickle =
-    "is a Python pickle; expected a table (in Python: load it with numpy.load(FILE, allow_pickle=True) and save rows of id,frame,x,y as "
+    "is a Python pickle of an old protocol; expected one of protocol 2 or later, or a table (in Python: load it with numpy.load(FILE, "
+    "allow_pickle=True) and save rows of id,frame,x,y as "
     "CSV)";
 
 constexpr std::array kRefusals = {
-    Refusal{"\x80\x02"sv, "", kPickle},
-    Refusal{"\x80\x03"sv, "", kPickle},
-    Refusal{"\x80\x04"sv, "", kPickle},
-    Refusal{"\x80\x05"sv, "", kPickle},
     Refusal{"{\\rtf"sv, "", "is a formatted document (RTF); expected a recording"},
     Refusal{"%PDF"sv, "", "is a PDF document; expected a recording"},
     Refusal{"\x89PNG"sv, "", "is an image; expected a recording"},

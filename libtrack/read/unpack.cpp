@@ -72,9 +72,17 @@ std::string gunzip(const std::string& name, std::string_view bytes) {
   }
 }
 
+// Closes what it has opened, also where ZipFile's constructor throws.
 struct ZipFile::Archive {
   Memory memory;
   unzFile file = nullptr;
+
+  Archive() = default;
+  Archive(const Archive&) = delete;
+  Archive& operator=(const Archive&) = delete;
+  ~Archive() {
+    if (file) unzClose(file);
+  }
 };
 
 ZipFile::ZipFile(const std::string& name, std::string_view bytes)
@@ -97,9 +105,7 @@ ZipFile::ZipFile(const std::string& name, std::string_view bytes)
   if (state != UNZ_END_OF_LIST_OF_FILE) throw damaged;
 }
 
-ZipFile::~ZipFile() {
-  if (archive_->file) unzClose(archive_->file);
-}
+ZipFile::~ZipFile() = default;
 
 bool ZipFile::has(std::string_view member) const { return std::find(members_.begin(), members_.end(), member) != members_.end(); }
 

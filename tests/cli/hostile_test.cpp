@@ -50,12 +50,13 @@ TEST_F(Hostile, OutputThatDoesNotArriveIsAFailure) {
 TEST_F(Hostile, NoWordEndsTheProgramOtherwise) {
   ASSERT_EQ(run("simulate boids --agents 4 --frames 20 -o film.csv").code, 0);
   const std::string fits = " film.csv -m brownian --max-evaluations 10 --replicates 1 --max-time 0.000001 -q";
-  const std::vector<std::pair<std::string, std::string>> jobs = {{"describe", " film.csv"},
-                                                                 {"convert", " film.csv -o out.csv"},
-                                                                 {"simulate", " boids -o out.csv"},
-                                                                 {"evaluate", " film.csv film.csv"},
-                                                                 {"fit", fits},
-                                                                 {"recover", " -m brownian,langevin --max-time 0.000001 -q"}};
+  const std::vector<std::pair<std::string, std::string>> jobs = {
+      {"describe", " film.csv"},
+      {"convert", " film.csv -o out.csv"},
+      {"simulate", " boids -o out.csv"},
+      {"evaluate", " film.csv film.csv"},
+      {"fit", fits},
+      {"recover", " -m brownian,langevin --max-evaluations 6 --agents 4 --frames 20 --max-time 0.000001 -q"}};
   int refused = 0;
   for (const auto& [name, rest] : jobs) {
     const auto command = std::find_if(cli::commands().begin(), cli::commands().end(), [&, n = name](const auto& c) { return c.name == n; });
@@ -77,6 +78,13 @@ TEST_F(Hostile, NoWordEndsTheProgramOtherwise) {
     }
   }
   EXPECT_GT(refused, 300);
+}
+
+// OMP_NUM_THREADS is as good as --threads, which has a limit.
+TEST_F(Hostile, TheEnvironmentCannotAskForAMillionThreads) {
+  const std::string job = " simulate boids --agents 3000 --frames 2 -q -o film.csv";
+  const Result r = run("--version >/dev/null; OMP_NUM_THREADS=1000000 timeout 60 '" SWARMFIT_PROGRAM "'" + job);
+  EXPECT_EQ(r.code, 0) << r.err;
 }
 
 // Each once crashed, ran for minutes, or was taken as something else.
@@ -176,6 +184,13 @@ TEST_F(Hostile, ASignalEndsReading) {
   const Result r = run("--version >/dev/null; mkfifo pipe; sleep 60 >pipe & filler=$!; '" SWARMFIT_PROGRAM
                        "' describe pipe & reader=$!; sleep 0.5; kill -TERM $reader; wait $reader; code=$?; kill $filler; exit $code");
   EXPECT_EQ(r.code, 128 + SIGTERM) << r.err;
+}
+
+TEST_F(Hostile, ASignalEndsSimulate) {
+  const Result r =
+      run("--version >/dev/null; timeout -s INT -k 20 1 '" SWARMFIT_PROGRAM "' simulate boids --agents 1000 --frames 1000000 -o film.csv");
+  EXPECT_EQ(r.code, 124) << "ended by the first signal, not killed";
+  EXPECT_FALSE(fs::exists(dir_ / "film.csv"));
 }
 
 TEST_F(Hostile, FramesFarApartAreAGap) {

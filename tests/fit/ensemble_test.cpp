@@ -66,11 +66,19 @@ TEST_F(EnsembleTest, SimulatesNothingTwice) {
   EXPECT_EQ(made, 5 + 3 + 5 + 5) << "what has no name is not kept";
 }
 
+// Asked once before its only piece, and then between frames.
+TEST_F(EnsembleTest, StopsWithinASimulation) {
+  EXPECT_THROW(sums(conditions, 1, nullptr, "", 5), Interrupted);
+  EXPECT_EQ(made, 0);
+  EXPECT_EQ(asked, 6);
+}
+
 TEST_F(EnsembleTest, KeepsWhatWasDoneWhenItIsStopped) {
   constexpr int kAll = 150;
+  const int per_run = 1 + static_cast<int>(conditions.frames);
   {
     Checkpoint checkpoint(path(), kRun, [] {});
-    EXPECT_THROW(sums(conditions, kAll, &checkpoint, "sum", 140), Interrupted);
+    EXPECT_THROW(sums(conditions, kAll, &checkpoint, "sum", 140 * per_run), Interrupted);
   }
   made = 0;
   Checkpoint checkpoint(path(), kRun);

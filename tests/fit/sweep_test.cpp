@@ -104,6 +104,15 @@ TEST(Sweep, MeasuresWhatTheRecordingShows) {
   }
 }
 
+TEST(Sweep, StopsWithinASimulation) {
+  SweepOptions one = over("eta=1");
+  one.seeds = 1;
+  int asked = 0;
+  const Threads here([&] { return asked++ >= 5; });
+  EXPECT_THROW(run_sweep(one, {}, {&here}), Interrupted);
+  EXPECT_EQ(asked, 6);
+}
+
 TEST(Sweep, ARunThatDivergesIsCountedAndSpoilsNobody) {
   SweepOptions o = over("speed=1:1e300:2");
   o.scene_at = [](const std::vector<std::string>& words) {

@@ -16,7 +16,7 @@ struct Target {
   bool slow = false;  // starts a process for every input
 };
 
-// Those of one program: readers.cpp or settings.cpp.
+// Those of one program: readers.cpp, meshes.cpp or settings.cpp.
 std::vector<Target> targets();
 
 // Ends the process, saying why.

@@ -292,6 +292,15 @@ MOTIVE = text("Format Version,1.23,Take Name,one,Capture Frame Rate,100.000000,E
               ",,Rotation,Rotation,Rotation,Rotation,Position,Position,Position", "Frame,Time,X,Y,Z,W,X,Y,Z", *[f"{f},{f / 100},0,0,0,1,{f},1,2" for f in range(4)])
 
 
+def pickled(value, protocol, header=True):
+    head = npy(np.array(0.0))[:10] + b"{'descr': '|O', 'fortran_order': False, 'shape': (), }".ljust(117) + b"\n"
+    return (head if header else b"") + pickle.dumps(np.array(value, object) if header else value, protocol)
+
+
+IDTRACKER = {"trajectories": POSITIONS, "id_probabilities": np.ones((4, 2, 1)), "git_commit": "0", "frames_per_second": 25, "body_length": np.float64(10),
+             "setup_points": {"border": np.array([[1, 2], [3, 4]])}, "identities_labels": ["a", "b"], "stats": (None, True, -70000, 1.5, 2**40)}
+
+
 def swarmfit_npz():
     return packed({f"{name}.npy": npy(np.array(value)) for name, value in {
         "swarmfit": "tracks/1", "unit": "mm", "dt": 0.04, "t0": 0.5, "names": ["a", "b"], "notes": ["smoothed"], "episodes": [2], "track": [0, 1, 0, 1],
@@ -311,6 +320,9 @@ def readers():
         "trackmate": {"model": TRACKMATE, "simple": SIMPLE}, "gpx": {"gpx": GPX},
         "ethovision-xlsx": {"xlsx": xlsx(ETHOVISION_ROWS)},
         "xlsx": {"xlsx": xlsx([["id", "frame", "x", "y"], [1, 0, 1.5, 2], [1, 1, 1.6, 2], [2, 0, 3, 3]]), "wide": xlsx([["frame", "x1", "y1", "x2", "y2"], [0, 1, 2, 3, 4], [1, 2, 3, 4, 5]])},
+        "idtracker-npy": {f"protocol{k}": pickled(IDTRACKER, k) for k in (2, 3, 4, 5)},
+        "pickle": {"array": pickled(np.array([[1.0, 0, 2, 3], [1, 1, 3, 4]]), 4, False), "fortran": pickled(np.asfortranarray(POSITIONS), 5, False),
+                   "columns": pickled({"id": np.array([1, 1]), "frame": np.array([0, 1]), "x": np.float32([1, 2]), "y": np.array([1, 2], ">i2")}, 4, False)},
         "swarmfit-npz": {"npz": swarmfit_npz()},
         "trex": {"fish0": packed({f"{n}.npy": npy(np.float32(v)) for n, v in TREX.items()})},
         "numpy": {"columns": packed({f"{n}.npy": npy(np.array(v)) for n, v in {"id": [1, 1, 2], "frame": [0, 1, 0], "x": [1.0, 2, 3], "y": [1.0, 2, 3]}.items()}),
@@ -346,6 +358,33 @@ def readers():
     return all
 
 
+# ---- meshes: a tetrahedron ---------------------------------------------------------------------------------------------------------
+
+CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+
+
+def ply(order):
+    head = ["ply", f"format {order} 1.0", "comment made by hand", "element vertex 4", "property float x", "property double y", "property uchar red",
+            "property int z", "element face 4", "property list uchar ushort vertex_indices", "element other 1", "property list int short junk", "end_header"]
+    if order == "ascii":
+        return text(*head, *[f"{x} {y} 9 {z}" for x, y, z in CORNERS], *["3 {} {} {}".format(*face) for face in FACES], "2 7 7")
+    end = ">" if order == "binary_big_endian" else "<"
+    return text(*head) + b"".join(struct.pack(end + "fdBi", x, y, 9, z) for x, y, z in CORNERS) + \
+        b"".join(struct.pack(end + "B3H", 3, *face) for face in FACES) + struct.pack(end + "i2h", 2, 7, 7)
+
+
+def meshes():
+    facet = lambda face: ["facet normal 0 0 0", "outer loop", *["vertex {} {} {}".format(*CORNERS[k]) for k in face], "endloop", "endfacet"]
+    soup = b"".join(struct.pack("<12fH", 0, 0, 0, *[v for k in face for v in CORNERS[k]], 0) for face in FACES)
+    square = text("v 0 0 0", "v 1 0 0", "v 1 1 0", "v 0 1 0", "v .5 .5 1", "f 4 3 2 1", "f 1 2 5", "f 2 3 5", "f 3 4 5", "f 4 1 5")
+    return {"mesh-obj": {"body": text("# a comment", "o body", *["v {} {} {}".format(*c) for c in CORNERS], "vn 0 0 1", "f 1/1/1 3 2", "f 1 2 4", "f 2//1 3 4",
+                                      "f -4 -1 -2"), "pyramid": square},
+            "mesh-stl": {"text": text("solid body", *[line for face in FACES for line in facet(face)], "endsolid body"),
+                         "binary": b"made by hand".ljust(80) + struct.pack("<I", 4) + soup},
+            "mesh-ply": {order: ply(order) for order in ("ascii", "binary_little_endian", "binary_big_endian")}}
+
+
 # ---- what the program reads back from itself -----------------------------------------------------------------------------------------
 
 
@@ -374,7 +413,7 @@ def settings():
 
 
 def main(folder):
-    for target, seeds in {**readers(), **settings()}.items():
+    for target, seeds in {**readers(), **meshes(), **settings()}.items():
         at = Path(folder) / target
         at.mkdir(parents=True, exist_ok=True)
         for name, data in seeds.items():

@@ -68,8 +68,12 @@ void change(std::string& bytes, Draws& draw) {
   }
 }
 
+// Leaves the input in ./crash when it is the last one. The file is overwritten in place: one made anew every time waits for the disk.
 void take(const swarmfit::fuzz::Target& target, const std::string& bytes) {
-  std::ofstream("crash", std::ios::binary) << bytes;  // stays there when this is the last one
+  static std::ofstream crash("crash", std::ios::binary);
+  crash.seekp(0);
+  crash.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
+  fs::resize_file("crash", bytes.size());
   target.take(bytes);
 }
 

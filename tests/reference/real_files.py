@@ -19,6 +19,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
+
 import read_formats as containers
 
 NAN = float("nan")
@@ -53,6 +55,11 @@ def text(path, who, when, x, y, z=None, delimiter=",", keep=lambda row: True):
 def wide(path, pairs, delimiter=",", when=0, header=1):
     rows = [next(csv.reader([line], delimiter=delimiter)) for line in lines(path)]
     return [(name, row[when], number(row[x]), number(row[x + 1])) for row in rows[header:] for name, x in pairs(rows[0])]
+
+
+def pickled(positions, first):
+    """positions: frame x individual x axis, as Python unpickles them."""
+    return [(str(first + k), f, *map(float, positions[f, k])) for f in range(positions.shape[0]) for k in range(positions.shape[1])]
 
 
 def dlc(path, node):
@@ -139,9 +146,10 @@ TEXTS = [
     *[(f"jackdaw-flocks-3d/{name}.mat", lambda p: mat(p, "tracks_filt"), ["--var", "tracks_filt", "--unit", "m"])
       for name in ("mob_04_p1", "mob_04_p2", "mob_05_p1", "mob_05_p2", "mob_10", "transit_02", "transit_05")],
     ("sheep-dog-2d/drives_data.mat", drives, ["--unit", "m"]),
-    ("grevys-zebra-drone-2d/tracks027_final.npy", None, []),
-    ("zebrafish-2d/test_trajectories_idtrackerai_with_border.npy", None, []),
-    ("zebrafish-2d/trajectories_with_points.npy", None, []),
+    ("grevys-zebra-drone-2d/tracks027_final.npy", lambda p: pickled(np.moveaxis(np.load(p, allow_pickle=True), 0, 1), 0),
+     ["--columns", "id,frame,x,y", "--fps", "30", "--unit", "px"]),
+    *[(f"zebrafish-2d/{name}.npy", lambda p: pickled(np.load(p, allow_pickle=True).item()["trajectories"], 1), [])
+      for name in ("test_trajectories_idtrackerai_with_border", "trajectories_with_points")],
     ("formats/animalta/single_individual_multi_arena.csv",
      lambda p: wide(p, lambda names: [(n[2:], k) for k, n in enumerate(names) if n.startswith("X_")], ";"), PIXELS),
     ("formats/animalta/variable_individuals_single_arena.csv", lambda p: text(p, "Ind", "Frame", "X", "Y", delimiter=";"), FAST),

@@ -121,6 +121,15 @@ TEST(MeshFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(refusal("a.ply", text), HasSubstr("has corner 9; expected 0 to 3"));
 }
 
+// Messages end at a zero byte, and may be shown on a terminal.
+TEST(MeshFile, WordsOfBinaryFilesAreShownOnOneLine) {
+  using namespace std::string_literals;
+  EXPECT_THAT(refusal("a.obj", "v 0 0 \0\x1b[\n"s), HasSubstr("a.obj:1: '\\x00\\x1b[' is no finite number; expected one"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\nf \xff 1 1\n"s), HasSubstr("'\\xff' is none of the 1 corners before it; expected"));
+  EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement \0 1\nend_header\n"s), HasSubstr("element \\x00 has no property; expected"));
+  EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement a 1\nproperty \0 b\n"s), HasSubstr("'\\x00' is no type; expected"));
+}
+
 std::string scene_with(const std::string& obstacle) { return "title = \"t\"\nmodel = \"brownian\"\n[[obstacle]]\n" + obstacle; }
 
 TEST(MeshFile, ScenariosFindItBesideThemselvesOrAmongTheProgramsOwn) {

@@ -2,6 +2,8 @@
 // NumPy arrays, TRex, and recordings packed by gzip and zip.
 #include <gmock/gmock.h>
 
+#include <malloc.h>
+
 #include <limits>
 
 #include "tests/track/build.h"
@@ -50,6 +52,17 @@ TEST(Numpy, PositionsByFrameAndIndividual) {
   EXPECT_EQ(swapped.pos()(5, 1), 112);
 }
 
+// What was opened before the damage was found once stayed open, and so was its memory lost.
+TEST(Numpy, ADamagedArchiveIsClosed) {
+  std::string bytes = zipped({{"x.npy", npy({2}, {1, 2})}, {"y.npy", npy({2}, {5, 6})}});
+  bytes[bytes.rfind("PK\1\2")] = '?';
+  const auto refused = [&] { return error_of(bytes, flags()); };
+  EXPECT_THAT(refused(), HasSubstr("the zip archive cannot be read; expected an undamaged file"));
+  const auto before = mallinfo2().uordblks;
+  for (int k = 0; k < 100; ++k) static_cast<void>(refused());
+  EXPECT_LT(mallinfo2().uordblks, before + 20'000);
+}
+
 TEST(Numpy, OneArrayPerColumn) {
   const auto bytes =
       zipped({{"id.npy", npy({2}, {3, 3})}, {"frame.npy", npy({2}, {0, 1})}, {"x.npy", npy({2}, {1, 2})}, {"y.npy", npy({2}, {5, 6})}});
@@ -68,7 +81,7 @@ TEST(Numpy, ChoosingAnArray) {
 }
 
 TEST(Numpy, FaultsAreNamed) {
-  EXPECT_THAT(error_of(npy({2, 3}, "|O", "")), HasSubstr("is a Python pickle; expected numbers"));
+  EXPECT_THAT(error_of(zipped({{"a.npy", npy({2, 3}, "|O", "")}})), HasSubstr("is a Python pickle; expected numbers"));
   EXPECT_THAT(error_of(npy({2, 3}, "<c16", "")), HasSubstr("is of type '<c16'; expected real numbers"));
   EXPECT_THAT(error_of(npy({1'000'000'000, 1'000'000'000, 1'000'000'000}, "<f8", "12345678")), HasSubstr("more than are there"));
   EXPECT_THAT(error_of(npy({0, 4}, "<f8", ""), flags("id,frame,x,y")), HasSubstr("the array is empty"));

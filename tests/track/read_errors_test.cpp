@@ -172,7 +172,8 @@ TEST(ReadErrors, FilesThatAreNoRecordings) {
   const auto refused = [](const std::string& name, const std::string& bytes, const std::string& part) {
     EXPECT_THAT(error_of(bytes, {}, name), HasSubstr(name + ": " + part)) << name;
   };
-  refused("a.npy", "\x80\x04\x95 pickled", "is a Python pickle; expected a table (in Python:");
+  refused("a.npy", "\x80\x04\x95 pickled",
+          "is a Python pickle that ends early; expected numbers, texts, tuples, lists, dicts and arrays of NumPy (in Python:");
   refused("a.rtf", "{\\rtf1\\ansi", "is a formatted document (RTF)");
   refused("a.md", "# title\n", "is a Markdown document");
   refused("a.h5", "\x89HDF\r\n\x1a\n", "the HDF5 file cannot be read; expected an undamaged file");
