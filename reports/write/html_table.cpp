@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "reports/write/number.h"
+
 namespace swarmfit {
 
 namespace {
@@ -90,7 +92,7 @@ Html HtmlTable::html() const {
 
 HtmlTable::Cell name_cell(Html content) { return {.content = std::move(content), .head = true}; }
 HtmlTable::Cell text_cell(std::string_view text) { return {.content = escaped(text)}; }
-HtmlTable::Cell number_cell(std::string_view text, bool soft) { return {.content = escaped(text), .number = true, .soft = soft}; }
+HtmlTable::Cell number_cell(std::string_view text, bool soft) { return {.content = escaped(in_print(text)), .number = true, .soft = soft}; }
 HtmlTable::Cell column(std::string_view title, bool number, bool soft, std::string_view note) {
   return {.content = escaped(title), .number = number, .head = true, .soft = soft, .note = std::string(note)};
 }

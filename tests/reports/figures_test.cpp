@@ -222,6 +222,33 @@ TEST(Pictures, StandBesideEachOther) {
   EXPECT_EQ(parts::forces(sample_comparison()).svg, "");
 }
 
+// All of them moved by so much.
+Tracks shifted(const Tracks& tracks, double by) {
+  TrackColumns columns;
+  columns.names = tracks.names();
+  columns.pos = tracks.pos();
+  columns.pos.col(0) += by;
+  columns.track.assign(tracks.track().begin(), tracks.track().end());
+  columns.frame.assign(tracks.frame().begin(), tracks.frame().end());
+  return {std::move(columns), tracks.meta()};
+}
+
+// The circles of the recording are 100 mm wide; figures are rounded to two digits.
+TEST(Pictures, FirstFigureHoldsWhatLeavesTheRecordingsFrame) {
+  Comparison c = with_pictures();
+  c.models[0].film = c.film;
+  EXPECT_THAT(parts::trajectory_strip(c).caption, HasSubstr("panels are 100 mm high."));
+  EXPECT_THAT(parts::trajectory_strip(c).caption, Not(HasSubstr("Dashed")));
+
+  c.models[0].film = shifted(c.film, 80);
+  EXPECT_THAT(parts::trajectory_strip(c).caption,
+              AllOf(HasSubstr("panels are 180 mm high. Dashed: the square of 100 mm that holds the recording."), Not(HasSubstr("Beyond"))));
+
+  c.models[0].film = shifted(c.film, 500);
+  EXPECT_THAT(parts::trajectory_strip(c).caption,
+              AllOf(HasSubstr("panels are 200 mm high."), HasSubstr("Beyond the frame is bswarm (100 % of its positions).")));
+}
+
 TEST(Pictures, PosteriorOfEveryModelThatHasOne) {
   Comparison c = sample_comparison();
   EXPECT_EQ(parts::posterior(c, 0).svg, "");
