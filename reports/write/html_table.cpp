@@ -59,7 +59,12 @@ std::string html_escaped(std::string_view text) {
   return out;
 }
 
-Html escaped(std::string_view text) { return {html_escaped(text)}; }
+Html escaped(std::string_view text) {
+  std::string out = html_escaped(text);
+  for (std::size_t k = 1; k + 1 < out.size(); ++k)  // "95 %" stays on one line
+    if (out[k] == ' ' && out[k + 1] == '%' && out[k - 1] >= '0' && out[k - 1] <= '9') out.replace(k, 1, "\u00a0");
+  return {out};
+}
 
 Html element(std::string_view tag, std::string_view classes, const Html& content) {
   return {fmt::format("{}{}</{}>", opened(tag, classes), content.text, tag)};

@@ -277,6 +277,29 @@ TEST(Pictures, WhatDoesNotVaryIsDrawn) {
   EXPECT_LT(parts::order(c).svg.size(), 200'000u);
 }
 
+// A polarisation is no more than 1, whatever the standard deviation.
+TEST(Pictures, BandsStayWithinWhatCanBe) {
+  Comparison c = with_pictures();
+  for (ModelFit& r : c.models) {
+    r.likeness.pictures.mean.polarisation.assign(c.recording.pictures.recording.polarisation.size(), 0.9);
+    r.likeness.pictures.sd.polarisation.assign(c.recording.pictures.recording.polarisation.size(), 0.3);
+  }
+  EXPECT_THAT(parts::order(c).svg, AllOf(HasSubstr(">1.0<"), Not(HasSubstr(">1.5<"))));
+}
+
+TEST(Pictures, AColourBarStandsBesideItsLastMap) {
+  Comparison alone = with_pictures();
+  alone.models.clear();
+  const auto right_end = [](const Figure& f) {
+    double out = 0;
+    for (std::size_t at = 0; (at = f.svg.find("<rect x=\"", at)) != std::string::npos; ++at)
+      out = std::max(out, std::atof(f.svg.c_str() + at + 9));
+    return out;
+  };
+  EXPECT_LT(right_end(parts::neighbours(alone)), 200) << "of a sheet 505 points wide";
+  EXPECT_GT(right_end(parts::neighbours(with_pictures())), 400);
+}
+
 TEST(Pictures, ForcesAreSaidAndTabulated) {
   const Comparison c = with_pictures();
   EXPECT_THAT(page::forces(c).text,
