@@ -50,7 +50,7 @@ std::vector<Setting> of_sweep() {
        .use = [](Arguments& a, const Value& v) { a.sweep.every = v.whole<std::int64_t>(); }},
       {.name = "window",
        .in = kSweep,
-       .help = "frames over which a state is told; that of a run is its last",
+       .help = "frames from which the state of the group is found; the state of a run is its last",
        .allowed = whole(1, kLongestWindow),
        .initial = "200",
        .use = window},
@@ -68,20 +68,20 @@ std::vector<Setting> of_both() {
        .use = [](Arguments& a, const Value& v) { a.measure.what = order_parameters_named(v.words); }},
       {.name = "link",
        .in = kMeasure | kSweep,
-       .help = "individuals closer than this are of one part of the group [unit]; if not given, 5 (plane) or 3 (space) times the mean "
+       .help = "individuals closer than this belong to one subgroup [unit]; if not given, 5 (plane) or 3 (space) times the mean "
                "distance to the nearest",
        .allowed = above(0, kFarthest),
        .use = [](Arguments& a, const Value& v) { a.measure.link = v.number(); }},
       {.name = "states",
        .in = kMeasure | kSweep,
-       .help = "words for what the group does: group: swarm, mills, aligned, chains, figure of eight; flock: vortex, comet, compact, "
+       .help = "which set of states: group: swarm, mills, aligned, chains, figure of eight; flock: vortex, comet, compact, "
                "cohesive, convergence",
        .allowed = one_of({"group", "flock"}),
        .initial = "group",
        .use = [](Arguments& a, const Value& v) { a.measure.words = v.text() == "flock" ? StateWords::flock : StateWords::group; }},
       {.name = "window",
        .in = kMeasure,
-       .help = "frames over which a state is told; if not given, as many as it takes to fly twice the group's extent",
+       .help = "frames from which the state of the group is found; if not given, as many as it takes to fly twice the group's extent",
        .allowed = whole(1, kLongestWindow),
        .use = window},
   };

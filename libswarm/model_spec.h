@@ -73,6 +73,7 @@ struct Option {
   std::string name;
   std::vector<std::string> values;
   std::string meaning;
+  std::vector<std::string> with = {};  // what each value gives the model, to be read after "with": "no collision avoidance"
 };
 
 // Values of a model's options, by name; always complete once made by ModelSpec::resolve.
@@ -122,6 +123,9 @@ struct ModelChoice {
   Options options;   // complete
   std::string name;  // canonical: only options that differ from the default, in table order
 };
+
+// The model's summary, after a sentence on what sets a variant apart: "bswarm with no collision avoidance. Insect swarm: ...".
+std::string summary_of(const ModelChoice& model);
 
 // All models of this program, in the order of models.def.
 std::span<const ModelSpec> models();

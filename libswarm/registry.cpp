@@ -156,4 +156,18 @@ ModelChoice parse_model(std::string_view text, std::span<const ModelSpec> more) 
   return {&spec, std::move(options), std::move(name)};
 }
 
+std::string summary_of(const ModelChoice& model) {
+  std::string with;
+  for (const Option& o : model.spec->options) {
+    const std::string& value = model.options.find(o.name)->second;
+    const auto k = static_cast<std::size_t>(std::find(o.values.begin(), o.values.end(), value) - o.values.begin());
+    if (k == 0) continue;
+    with += (with.empty() ? "" : " and ") + (k < o.with.size() ? o.with[k] : fmt::format("{} = {}", o.name, value));
+  }
+  std::string summary = model.spec->summary;
+  if (with.empty()) return summary;
+  if (!summary.empty()) summary[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(summary[0])));
+  return fmt::format("{} with {}. {}", model.spec->name, with, summary);
+}
+
 }  // namespace swarmfit

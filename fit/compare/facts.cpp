@@ -60,9 +60,10 @@ void warn_of_step(const ModelFit& m, const Comparison& r, std::vector<Warning>& 
   for (std::size_t j = 1; j < r.recording.columns.size(); ++j)
     if (change(j) > change(most)) most = j;
   warn(out, Gravity::result,
-       "{}: integration has not converged with {} steps per frame. Halving the time step changes the energy of {} ({:.3g} → {:.3g}), so "
+       "{}: integration has not converged with {} per frame. Halving the time step changes the energy of {} ({:.3g} → {:.3g}), so "
        "parameters and rank depend on the step; --steps sets more.",
-       m.model, m.runs.steps, r.recording.columns[most].symbol(), m.runs.raw_energies[most], m.runs.half_step_energies[most]);
+       m.model, m.runs.steps == 1 ? "one step" : fmt::format("{} steps", m.runs.steps), r.recording.columns[most].symbol(),
+       m.runs.raw_energies[most], m.runs.half_step_energies[most]);
 }
 
 void warn_of_fit(const ModelFit& m, const Comparison& r, std::vector<Warning>& out) {

@@ -90,7 +90,8 @@ void warn_of_order(const Comparison& r, std::vector<Warning>& out) {
   const auto pairs = reversed_pairs(r);
   if (pairs.empty()) return;
   std::vector<std::string> order;
-  for (const ModelFit* m : by_skill(r)) order.push_back(fmt::format("{} ({:.2f})", m->model, m->likeness.skill.value));
+  for (const ModelFit* m : by_skill(r))
+    order.push_back(fmt::format("{} ({:.2f})", m->model, std::round(100 * m->likeness.skill.value) / 100 + 0.0));  // no "-0.00"
   warn(out, Gravity::result,
        "Score and skill disagree: by skill the order is {}, which puts {}. The score depends on which models are compared, skill does not.",
        fmt::join(order, ", "), fmt::join(pairs, " and "));
@@ -137,11 +138,11 @@ std::vector<Warning> warnings_of_skill(const Comparison& r) {
   std::vector<Warning> out;
   warn_of_walk(r, out);
   if (no_interaction(r.recording.skill))
-    warn(
-        out, Gravity::meaning,
-        "No detectable interaction: neighbour distances and speed differences are similar to those of the same tracks shifted in time (p = "
-        "{:.2f} and {:.2f}, {} surrogates), so this ranking compares individual motion, not interaction.",
-        r.recording.skill.interaction_p[0], r.recording.skill.interaction_p[1], r.recording.skill.surrogates);
+    warn(out, Gravity::meaning,
+         "No detectable interaction: neighbour distances and velocity differences are similar to those of the same tracks shifted in time "
+         "(p = "
+         "{:.2f} and {:.2f}, {} surrogates), so this ranking compares individual motion, not interaction.",
+         r.recording.skill.interaction_p[0], r.recording.skill.interaction_p[1], r.recording.skill.surrogates);
   warn_of_identified(r, out);
   if (!r.models.empty() && std::isnan(r.models.front().likeness.skill.value))
     warn(out, Gravity::note,

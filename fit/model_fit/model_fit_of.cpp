@@ -54,7 +54,7 @@ ModelFit model_fit_of(const ModelSearch& search) {
   const Selected& best = search.selected();
   ModelFit fit;
   fit.model = model.name;
-  fit.summary = model.spec->summary;
+  fit.summary = summary_of(model);
   fit.citation = model.spec->citation;
   fit.options = {model.options.begin(), model.options.end()};
   fit.parameters = search.space().describe(best.x, ensemble.conditions().recording.meta().unit);

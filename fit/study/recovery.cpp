@@ -101,7 +101,7 @@ Recovery recover_models(const RecoveryOptions& options, const OnRecoveryCase& on
   for (std::size_t p = 0; p < options.planted.size(); ++p) {
     const ModelChoice& model = options.planted[p];
     if (std::find(out.compared.begin(), out.compared.end(), model.name) == out.compared.end())
-      throw InputError("recover: " + model.name + " is planted but not compared");
+      throw InputError("recover: " + model.name + " makes recordings but is not compared; expected it among the models to compare");
     const auto found = options.set.find(model.name);
     const auto set = found == options.set.end() ? std::map<std::string, double>{} : found->second;
     out.planted.push_back(model.name);

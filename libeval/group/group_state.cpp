@@ -44,9 +44,9 @@ bool flies(const F& f, double share) { return f.polarisation > kParallel && f.la
 constexpr auto kGroup = StateWords::group, kFlock = StateWords::flock;
 
 const std::array kStates{
-    GroupState{"split", "split", kGroup, "largest component < 70 % of all, two parts or more",
+    GroupState{"split", "split", kGroup, "largest component < 70 % of all, two subgroups or more",
                [](const F& f, const H&) { return split(f); }},
-    GroupState{"disordered", "disordered", kGroup, "largest component < 70 % of all, and no second part of a tenth",
+    GroupState{"disordered", "disordered", kGroup, "largest component < 70 % of all, and no second subgroup of a tenth",
                [](const F& f, const H&) { return f.largest < kWhole; }},
     GroupState{"moving_chain", "moving chain", kGroup, "axis ratio < 0.05, P ≥ 0.9",
                [](const F& f, const H&) { return f.axis_ratio < kLine && f.polarisation >= kParallel; }},
@@ -64,7 +64,7 @@ const std::array kStates{
                [](const F& f, const H&) { return f.polarisation < kUnordered && !hollow(f); }},
     GroupState{"disordered", "disordered", kGroup, "none of the above", [](const F&, const H&) { return true; }},
 
-    GroupState{"split", "split", kFlock, "largest component < 70 % of all, two parts or more",
+    GroupState{"split", "split", kFlock, "largest component < 70 % of all, two subgroups or more",
                [](const F& f, const H&) { return split(f); }},
     GroupState{"semi_vortex", "semi-vortex", kFlock, "a vortex that began with P > 0.8",
                [](const F& f, const H& h) { return h.aligned && vortex(f); }},
@@ -72,7 +72,7 @@ const std::array kStates{
                [](const F& f, const H&) { return vortex(f); }},
     GroupState{"comet", "comet", kFlock, "P > 0.9, largest component ≥ 70 %, rms extent > 3 times the median radius",
                [](const F& f, const H&) { return flies(f, kWhole) && f.extent > kComet * f.median_radius; }},
-    GroupState{"convergence", "convergence", kFlock, "P > 0.9, largest component ≥ 95 %, two parts or more before",
+    GroupState{"convergence", "convergence", kFlock, "P > 0.9, largest component ≥ 95 %, two subgroups or more before",
                [](const F& f, const H& h) { return h.split && flies(f, kTogether); }},
     GroupState{"compact", "compact", kFlock, "P > 0.9, largest component ≥ 95 %, rms extent < 5/6 of the link distance",
                [](const F& f, const H&) { return flies(f, kTogether) && f.extent < kCompact * f.link; }},

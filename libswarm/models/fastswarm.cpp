@@ -308,12 +308,30 @@ class Fastswarm : public Model {
 };
 
 std::vector<Option> option_table() {
-  return {{"samples", {"300", "1000"}, "how many velocities are taken from the recording, k"},
-          {"groups", {"ten", "all"}, "where an agent searches: samples about as fast as it is, or all"},
-          {"yaw", {"recorded", "random"}, "directions of the samples: as recorded, or each turned about the vertical"},
-          {"magnitude", {"scaled", "literal"}, "the difference of accelerations in multiples of their size, or in the unit of length"},
-          {"neighbours", {"spheres", "cubes"}, "shape of the regions of repulsion and attraction"},
-          {"centre", {"moving", "recorded"}, "of the swarm as it is, or where the recording was"}};
+  return {{"samples",
+           {"300", "1000"},
+           "how many velocities are taken from the recording, k",
+           {"300 recorded velocities", "1000 recorded velocities"}},
+          {"groups",
+           {"ten", "all"},
+           "where an agent searches: samples about as fast as it is, or all",
+           {"a search among velocities of similar speed", "a search among all recorded velocities"}},
+          {"yaw",
+           {"recorded", "random"},
+           "directions of the samples: as recorded, or each turned about the vertical",
+           {"recorded directions", "recorded velocities turned about the vertical at random"}},
+          {"magnitude",
+           {"scaled", "literal"},
+           "the difference of accelerations in multiples of their size, or in the unit of length",
+           {"accelerations relative to their size", "accelerations as printed in the paper"}},
+          {"neighbours",
+           {"spheres", "cubes"},
+           "shape of the regions of repulsion and attraction",
+           {"spheres of repulsion and attraction", "cubes of repulsion and attraction"}},
+          {"centre",
+           {"moving", "recorded"},
+           "of the swarm as it is, or where the recording was",
+           {"attraction to the centre as it is", "attraction to where the recorded centre was"}}};
 }
 
 const std::vector<Parameter>& parameter_table() {
@@ -349,7 +367,7 @@ const std::vector<Parameter>& parameter_table() {
       {.row = kDDanger, .name = "d_danger", .symbol = "d_danger", .unit = {1, 0}, .scene = {5, 0.1, 100}, .fit = {5, 0.1, 20},
        .length = spacing, .meaning = "where a danger is noticed", .source = ours},
       {.row = kScale, .name = "scale", .symbol = "s", .unit = {1, 0}, .scene = {2, 0.01, 100}, .fit = {0.5, 0.05, 3}, .log = true,
-       .fitted = true, .meaning = "feature size of the noise; where it is larger than the swarm all are pushed alike", .source = ours},
+       .fitted = true, .meaning = "feature size of the noise; where it is larger than the swarm, all are pushed the same way", .source = ours},
       {.row = kWindow, .name = "window", .scene = {1, 0, 10}, .fit = {1, 0, 10}, .when = "groups=ten",
        .meaning = "groups of speed searched to either side of the agent's own", .source = "section 5.2.1", .integer = true},
   };

@@ -300,8 +300,15 @@ ModelSpec noise_aware_spec() {
           .native_dt = 1.0 / 60,
           .largest_dt = 1.0 / 40,  // a midpoint step of L / 40 at the recorded speed, a sixth of the smallest scale
           .quiet = "gain=0",
-          .options = {{"noise", {"curl", "perlin", "white"}, "the velocity field"},
-                      {"mde", {"none", "same_cell", "neighbours"}, "minimum-distance enforcement"}},
+          .options = {{"noise",
+                       {"curl", "perlin", "white"},
+                       "the velocity field",
+                       {"a smooth field of velocities without sources and sinks",
+                        "a smooth field of velocities in whose sinks agents gather", "random velocities of its own for each agent"}},
+                      {"mde",
+                       {"none", "same_cell", "neighbours"},
+                       "minimum-distance enforcement",
+                       {"no minimum distance", "a minimum distance within cells of a grid", "a minimum distance between agents"}}},
           .columns = {},
           .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<NoiseAware>(setup); }};

@@ -175,18 +175,26 @@ const std::vector<Parameter>& parameter_table() {
 }  // namespace
 
 ModelSpec rvo_spec() {
-  return {.name = "rvo",
-          .summary = "goals and reciprocal collision avoidance, nothing else",
-          .citation = "van den Berg et al. 2011, doi:10.1007/978-3-642-19457-3_1; baseline of Ren et al. 2016",
-          .dims = {2, 3},
-          .native_dt = 0.01,
-          .largest_dt = 1.0 / 40,  // an eighth of the extent per step at the highest of speeds
-          .quiet = "goal=center,jitter=0",
-          .options = {{"goal", {"random", "center", "antipodal", "inertial"}, "where agents want to go"},
-                      {"infeasible", {"min_penetration", "zero", "substep"}, "what to do when every velocity leads to a collision"}},
-          .columns = {"goal_x", "goal_y", "goal_z", "goal_chosen"},
-          .parameters = parameter_table(),
-          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Rvo>(setup); }};
+  return {
+      .name = "rvo",
+      .summary = "goals and reciprocal collision avoidance, nothing else",
+      .citation = "van den Berg et al. 2011, doi:10.1007/978-3-642-19457-3_1; baseline of Ren et al. 2016",
+      .dims = {2, 3},
+      .native_dt = 0.01,
+      .largest_dt = 1.0 / 40,  // an eighth of the extent per step at the highest of speeds
+      .quiet = "goal=center,jitter=0",
+      .options = {{"goal",
+                   {"random", "center", "antipodal", "inertial"},
+                   "where agents want to go",
+                   {"random goals", "goals at the centre", "goals opposite to where agents entered", "straight flight instead of goals"}},
+                  {"infeasible",
+                   {"min_penetration", "zero", "substep"},
+                   "what to do when every velocity leads to a collision",
+                   {"the least bad velocity where every one leads to a collision", "a halt where every velocity leads to a collision",
+                    "steps in halves where every velocity leads to a collision"}}},
+      .columns = {"goal_x", "goal_y", "goal_z", "goal_chosen"},
+      .parameters = parameter_table(),
+      .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Rvo>(setup); }};
 }
 
 }  // namespace swarmfit

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "libtrack/read/idtracker_table.h"
 
-#include <limits>
-
+#include "libtrack/nan.h"
 #include "libtrack/read/postures.h"
 
 namespace swarmfit {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> labels(const std::vector<std::string>& stated, std::size_t animals) {
   if (stated.size() == animals) return stated;
@@ -36,7 +33,7 @@ RawTable idtracker_table(const std::string& file, const IdTrackerFile& found, co
       const double* at = found.positions.value.data() + 2 * (f * animals + k);
       const std::span<const double> confidence =
           has_confidence ? std::span(sure.value).subspan(f * animals + k, 1) : std::span<const double>();
-      postures.add({track, static_cast<double>(f), kNone, {at, 1}, {at + 1, 1}, {}, confidence});
+      postures.add({track, static_cast<double>(f), kNaN, {at, 1}, {at + 1, 1}, {}, confidence});
     }
   }
   postures.finish();

@@ -12,9 +12,10 @@
 namespace swarmfit::parts {
 namespace {
 
-constexpr std::size_t kMost = 8;  // models that can be told apart in one panel
+constexpr std::size_t kMost = 8;  // models that can be distinguished in one panel
 constexpr double kWidest = 2;     // standard deviations of the band
 constexpr double kBeyond = 3;
+constexpr const char* kTime = "time from the first frame [s]";
 using Values = std::vector<double>;
 
 // Mean or median, and standard deviation or error, of what is drawn.
@@ -29,8 +30,9 @@ struct Wanted {
   Values x;
   Shown recording;
   std::vector<Shown> models;
-  bool logarithmic = false;  // both axes; what is not positive is left out
-  bool cropped = false;      // models may leave the panel, which reaches kBeyond times the recording's band beyond it
+  bool logarithmic = false;                   // both axes; what is not positive is left out
+  bool cropped = false;                       // models may leave the panel, which reaches kBeyond times the recording's band beyond it
+  double least = -INFINITY, most = INFINITY;  // of the values that there can be
 };
 
 plot::Curve curve_of(const Wanted& w, const Values& y) {
@@ -47,7 +49,7 @@ struct Band {
 Band band_of(const Wanted& w, const Shown& s) {
   Band out;
   for (std::size_t k = 0; s.sd && k < std::min({w.x.size(), s.mean->size(), s.sd->size()}); ++k) {
-    const double low = (*s.mean)[k] - kWidest * (*s.sd)[k], high = (*s.mean)[k] + kWidest * (*s.sd)[k];
+    const double low = std::max(w.least, (*s.mean)[k] - kWidest * (*s.sd)[k]), high = std::min(w.most, (*s.mean)[k] + kWidest * (*s.sd)[k]);
     if (!std::isfinite(low + high) || (w.logarithmic && !(w.x[k] > 0 && high > 0))) continue;
     out.low.push_back({w.x[k], w.logarithmic ? std::max(low, 0.05 * high) : low});
     out.high.push_back({w.x[k], high});
@@ -77,9 +79,10 @@ void draw(svg::Sheet& sheet, const svg::Box& box, const Wanted& w) {
   }
   // What hardly varies must not fill the panel with its rounding.
   const double room = std::max(0.05 * (up.upper - up.lower), 1e-3 * std::max(std::abs(up.lower), std::abs(up.upper)));
+  const double bottom = std::max(w.least, up.lower - room), top = std::min(w.most, up.upper + room);
   const plot::Axis x =
       w.logarithmic ? plot::logarithmic(across.lower, across.upper) : plot::linear(across.lower, across.upper, {5, box.width, false});
-  const plot::Axis y = w.logarithmic ? plot::logarithmic(up.lower, up.upper) : plot::linear(up.lower - room, up.upper + room, {4, 0, true});
+  const plot::Axis y = w.logarithmic ? plot::logarithmic(up.lower, up.upper) : plot::linear(bottom, top, {4, 0, true});
   plot::Panel panel(sheet, box, x, y);
   panel.grey_band(recorded.low, recorded.high);
   panel.band(best.low, best.high, 0);
@@ -121,6 +124,11 @@ Wanted of_pictures(const Comparison& c, Values Pictures::*member, Values x, std:
   Wanted out{std::move(x_title), std::move(y_title), std::move(x), {&(c.recording.pictures.recording.*member)}, {}, logarithmic};
   for (const ModelFit& m : c.models) out.models.push_back({&(m.likeness.pictures.mean.*member), &(m.likeness.pictures.sd.*member)});
   return out;
+}
+
+Wanted within(Wanted w, double least, double most) {
+  w.least = least, w.most = most;
+  return w;
 }
 
 // A curve of forces, with the standard error of the recording's.
@@ -190,9 +198,9 @@ Figure order(const Comparison& c) {
   svg::Sheet sheet(svg::kTwoColumns);
   const double height = draw_all(
       sheet, c,
-      {of_pictures(c, &Pictures::polarisation, times, "time from the first frame [s]", "polarisation"),
-       of_pictures(c, &Pictures::milling, times, "time from the first frame [s]", "milling"),
-       of_pictures(c, &Pictures::spread, times, "time from the first frame [s]", fmt::format("rms radius [{}]", c.recording.data.unit))},
+      {within(of_pictures(c, &Pictures::polarisation, times, kTime, "polarisation"), 0, 1),
+       within(of_pictures(c, &Pictures::milling, times, kTime, "milling"), 0, 1),
+       within(of_pictures(c, &Pictures::spread, times, kTime, fmt::format("rms radius [{}]", c.recording.data.unit)), 0, INFINITY)},
       3, 70);
   const std::string caption = "Polarisation, milling and spread of the group over time." + about_band(c);
   return {"order", caption, sheet.document(height, "Order of the group over time", caption)};
@@ -225,8 +233,8 @@ Figure data_quality(const Comparison& c) {
     top += 34 + (&title == &rows.back().first ? 26 : 30);
   }
   const std::string caption =
-      "Quality of the tracks over time: individuals seen, individuals that are seen before and after but not now, and steps too long to be "
-      "true.";
+      "Quality of the tracks over time: individuals seen, individuals lost for a while (seen before and after), and steps longer than "
+      "20 median steps.";
   return {"data_quality", caption, sheet.document(top, "Quality of the tracks over time", caption)};
 }
 

@@ -9,6 +9,7 @@
 #include "reports/draw/paths.h"
 #include "reports/draw/square_map.h"
 #include "reports/write/number.h"
+#include "reports/write/plain_text.h"
 
 namespace swarmfit::parts {
 namespace {
@@ -38,7 +39,7 @@ struct Grid {
     const std::size_t row = k / across;
     return {left + static_cast<double>(k % across) * (side + kGap), top + static_cast<double>(row) * (side + kTitle + 4), side, side};
   }
-  svg::Box bar() const { return {left + static_cast<double>(across) * (side + kGap), top, 7, side}; }
+  svg::Box bar(std::size_t count) const { return {left + static_cast<double>(std::min(count, across)) * (side + kGap), top, 7, side}; }
   double bottom(std::size_t count) const { return box(count - 1).bottom(); }
 };
 
@@ -89,8 +90,40 @@ double draw_maps(svg::Sheet& sheet, double top, const std::vector<Taken>& all, V
     plot::draw_square_map(sheet, box, all[k].pictures->*member, side, scale);
     if (focal) mark_focal(sheet, box);
   }
-  plot::draw_colour_bar(sheet, grid.bar(), scale, "");
+  plot::draw_colour_bar(sheet, grid.bar(all.size()), scale, "");
   return grid.bottom(all.size()) + 12;
+}
+
+// Recording and models from above, in one frame.
+struct Ground {
+  plot::Window recording, shown;
+};
+
+bool wider(const Ground& ground) { return ground.shown.half > 1.1 * ground.recording.half; }
+
+Ground ground_of(const std::vector<Taken>& all) {
+  std::vector<const Tracks*> films;
+  for (const Taken& t : all) films.push_back(t.film);
+  return {plot::window_of(*films.front()), plot::window_for(films)};
+}
+
+void draw_ground(svg::Sheet& sheet, const svg::Box& box, const Taken& one, const Ground& ground) {
+  plot::draw_paths(sheet, box, *one.film, ground.shown);
+  if (wider(ground)) plot::draw_window(sheet, box, ground.recording, ground.shown);
+}
+
+// What the frame is, and who leaves it.
+std::string ground_words(const std::vector<Taken>& all, const Ground& ground, const std::string& unit) {
+  constexpr double kWorthSaying = 0.005;
+  std::string out = wider(ground)
+                        ? fmt::format(" Dashed: the square of {} {} that holds the recording.", rounded(2 * ground.recording.half, 2), unit)
+                        : "";
+  std::vector<std::string> leave;
+  for (const Taken& t : all)
+    if (const double outside = plot::share_outside(*t.film, ground.shown); outside > kWorthSaying)
+      leave.push_back(fmt::format("{} ({} of its positions)", t.name, percent(outside)));
+  if (!leave.empty()) out += fmt::format(" Beyond the frame {} {}.", leave.size() > 1 ? "are" : "is", enumerate(leave));
+  return out;
 }
 
 bool nothing(const Comparison& c) { return c.recording.pictures.recording.density.empty(); }
@@ -111,7 +144,7 @@ Figure neighbours(const Comparison& c) {
   svg::Sheet sheet(svg::kTwoColumns);
   const double most = std::max(1e-9, largest(all, &Pictures::density, 0.98));
   const double height =
-      draw_maps(sheet, 0, all, &Pictures::density, kMapSide, {0, most, plot::Scheme::sequential}, "neighbour density (1 = even)", true);
+      draw_maps(sheet, 0, all, &Pictures::density, kMapSide, {0, most, plot::Scheme::sequential}, "neighbour density (1 = uniform)", true);
   const std::string caption = "Where neighbours are: density of all neighbours around a focal animal. " + frame_of_focal(c) +
                               (c.models.empty() ? "" : " Models: mean of the final replicates.");
   return {"neighbours", caption, sheet.document(height, "Neighbour density around a focal animal", caption)};
@@ -141,22 +174,23 @@ Figure space(const Comparison& c) {
   const auto all = taken(c, c.models.size());
   svg::Sheet sheet(svg::kTwoColumns);
   const PictureGrid& g = c.recording.pictures.grid;
-  const plot::Window window = plot::window_of({&c.film});
+  const Ground ground = ground_of(all);
   sheet.text({kLeft, 7}, svg::plain("trajectories, dark to light: from first to last frame shown"));
   const Grid grid = grid_at(sheet, 11, all.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
     const svg::Box box = grid.box(k);
     sheet.text({box.left, box.top - 3}, svg::plain(short_name(all[k].name, box.width)), svg::Anchor::start, svg::kSoft);
-    plot::draw_paths(sheet, box, *all[k].film, window);
+    draw_ground(sheet, box, all[k], ground);
   }
   const double most = std::max(1e-9, largest(all, &Pictures::space, 0.98));
   const double height = draw_maps(sheet, grid.bottom(all.size()) + 12, all, &Pictures::space, kSpaceSide,
-                                  {0, most, plot::Scheme::sequential}, "use of space (1 = even)", false);
+                                  {0, most, plot::Scheme::sequential}, "use of space (1 = uniform)", false);
   const std::string caption = fmt::format(
-      "Where the animals go, seen from above. Top: trajectories of the first {} s, the models' of one scored simulation, all in the "
-      "recording's frame of {} {}. Bottom: share of positions per square over the whole recording, {} {} wide{}.",
+      "Where the animals go, seen from above. Top: trajectories of the first {} s{} in a frame of {} {}.{} Bottom: share of positions per "
+      "square over the whole recording, {} {} wide{}.",
       brief(static_cast<double>(c.film.frames().back().number - c.film.frames().front().number) * c.film.dt(), 3),
-      rounded(2 * window.half, 2), c.recording.data.unit, rounded(2 * g.half, 2), c.recording.data.unit,
+      c.models.empty() ? "" : ", the models' of one scored simulation,", rounded(2 * ground.shown.half, 2), c.recording.data.unit,
+      ground_words(all, ground, c.recording.data.unit), rounded(2 * g.half, 2), c.recording.data.unit,
       c.models.empty() ? "" : "; models: mean of the final replicates");
   return {"space", caption, sheet.document(height, "Trajectories and use of space", caption)};
 }
@@ -165,18 +199,18 @@ Figure trajectory_strip(const Comparison& c) {
   if (c.film.rows() == 0) return {"strip", "", ""};
   const auto all = taken(c, 1);
   svg::Sheet sheet(all.size() > 1 ? svg::kTwoColumns : svg::kOneColumn);
-  const plot::Window window = plot::window_of({&c.film});
+  const Ground ground = ground_of(all);
   const double side = (sheet.width() - 10) / static_cast<double>(all.size()) - 6, shown = std::min(side, 170.0);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const double left = 2 + static_cast<double>(k) * (side + 10);
     const svg::Box box{left, 12, side, shown};
     sheet.text({left, 8}, svg::plain(k == 0 ? "recording" : all[k].name + ", the best model"), svg::Anchor::start, svg::kSoft);
-    plot::draw_paths(sheet, box, *all[k].film, window);
+    draw_ground(sheet, box, all[k], ground);
   }
   const std::string caption =
-      fmt::format("Trajectories of the recording{}, seen from above, dark to light from first to last frame; panels are {} {} high.",
-                  all.size() > 1 ? fmt::format(" (left) and of {}, the best model (right)", all[1].name) : "", rounded(2 * window.half, 2),
-                  c.recording.data.unit);
+      fmt::format("Trajectories of the recording{}, seen from above, dark to light from first to last frame; panels are {} {} high.{}",
+                  all.size() > 1 ? fmt::format(" (left) and of {}, the best model (right)", all[1].name) : "",
+                  rounded(2 * ground.shown.half, 2), c.recording.data.unit, ground_words(all, ground, c.recording.data.unit));
   return {"strip", caption, sheet.document(16 + shown, "Trajectories of the recording and the best model", caption)};
 }
 

@@ -27,7 +27,7 @@ std::string what_is_needed(const ForceFacts& f) {
 HtmlTable noise_table(const Comparison& c) {
   const std::string unit = c.recording.data.unit;
   HtmlTable table("Noise by regression, per axis");
-  table.head({column(""), column(fmt::format("white [{}/s^1.5]", unit), true), column(fmt::format("with a memory [{}/s²]", unit), true),
+  table.head({column(""), column(fmt::format("white [{}/s¹·⁵]", unit), true), column(fmt::format("with a memory [{}/s²]", unit), true),
               column("memory [s]", true)});
   const auto row = [&](const Html& name, const std::vector<double>& noise) {
     std::vector<HtmlTable::Cell> cells{name_cell(name)};
@@ -48,7 +48,7 @@ Html forces(const Comparison& c) {
   out += noise_table(c).html();
   out += element("p", "note",
                  markup("No model is assumed and nothing is simulated for the recording's curves: accelerations are regressed on velocity, "
-                        "place and neighbours, with the localisation error taken into account. Curves of a model come from its own "
+                        "place and neighbours, with the measurement error taken into account. Curves of a model come from its own "
                         "simulations by the same regression, so they need not be what was put into it. The numbers are in "
                         "tables/forces.csv."));
   return out;

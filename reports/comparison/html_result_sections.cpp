@@ -20,10 +20,12 @@ using Cells = std::vector<HtmlTable::Cell>;
 
 constexpr int kShades = 5;  // as in report.css
 
-// The first sentence of a model's summary.
-std::string description(const ModelFit& r) {
+// What a model is; of a variant beside its base, what sets it apart.
+std::string description(const Comparison& c, const ModelFit& r) {
   const auto end = r.summary.find(". ");
-  return end == std::string::npos ? r.summary : r.summary.substr(0, end + 1);
+  const std::string base = r.model.substr(0, r.model.find('['));
+  const bool beside = std::any_of(c.models.begin(), c.models.end(), [&](const ModelFit& other) { return other.model == base; });
+  return end == std::string::npos || !beside || base == r.model ? r.summary : r.summary.substr(0, end);
 }
 
 struct Scale {
@@ -123,7 +125,7 @@ Html result_figure(const Comparison& c) {
   for (std::size_t k = 0; k < c.models.size(); ++k) {
     const ModelFit& r = c.models[k];
     Html name = model_name(c, k);
-    if (const std::string what = description(r); !what.empty()) name += element("span", "what", escaped(what));
+    if (const std::string what = description(c, r); !what.empty()) name += element("span", "what", escaped(what));
     Cells cells{name_cell(name)};
     if (paired) {
       const Difference d = difference(c, k);
@@ -137,8 +139,8 @@ Html result_figure(const Comparison& c) {
   Html out = table.html();
   if (paired && c.ranking.bootstrap_recordings > 0)
     out += element("p", "note",
-                   markup("Models with the same letter are not distinguishable. Rejected: recordings simulated from the fitted model "
-                          "are rarely as far from it as yours."));
+                   markup("Models with the same letter are not distinguishable. Rejected: few recordings simulated from the fitted "
+                          "model are as far from the model as yours is."));
   return out;
 }
 

@@ -101,9 +101,9 @@ std::string mean_text(const Comparison& c, const ModelFit& r, std::size_t m) {
 
 Html badge(const Comparison& c) { return c.recording.data.synthetic ? synthetic_badge() : Html{}; }
 
-Html data_facts(const Comparison& c) {
+Html data_facts(const Comparison& c, std::string_view what) {
   const DataFacts& d = c.recording.data;
-  Html out = fact("recording", d.path, true);
+  Html out = fact(what, d.path, true);
   out += fact("tracks", counted(static_cast<std::int64_t>(d.tracks)));
   out += fact("frames", fmt::format("{} ({} to {})", counted(static_cast<std::int64_t>(d.frames)), d.first_frame, d.last_frame));
   out += fact("frame interval", fmt::format("{} s ({} Hz)", brief(d.dt), brief(1 / d.dt)));

@@ -8,7 +8,7 @@
 namespace swarmfit::sections {
 
 Html badge(const Comparison&);  // "synthetic data"
-Html data_facts(const Comparison&);
+Html data_facts(const Comparison&, std::string_view what = "recording");
 Html warnings(const Comparison&);       // nothing if there are none
 Html ranking(const Comparison&);        // what decides, and what describes, one row per model
 Html result_figure(const Comparison&);  // models with what they are, paired intervals, letters, fit

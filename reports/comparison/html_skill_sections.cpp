@@ -81,7 +81,9 @@ Html skill(const Comparison& c) {
 Html without(const Comparison& c) {
   if (c.ranking.without.empty()) return {};
   HtmlTable table("Ranking with one model left out");
-  table.head({column("without"), column("ranking of the others (score)"), column("order")});
+  table.head({column("without"),
+              column(c.recording.hold_out.used() ? "ranking of the others (score in sample)" : "ranking of the others (score)"),
+              column("order")});
   for (const LeftOut& w : c.ranking.without) {
     std::string ranking;
     for (const auto& [model, score] : w.ranking) ranking += fmt::format("{}{} ({})", ranking.empty() ? "" : ", ", model, fixed(score, 3));
@@ -95,7 +97,7 @@ Html without(const Comparison& c) {
 
 Html panel(const Comparison& c) {
   HtmlTable table("Observables outside the score");
-  table.look("frozen");
+  table.look("frozen tight");
   Cells head = {column("observable"), column("unit"), column("recording", true)};
   for (const ModelFit& r : c.models) head.push_back(column(r.model, true));
   table.head(head);

@@ -140,7 +140,7 @@ Json hold_out(const HoldOutFacts& h) {
 }
 
 Json posterior(const PosteriorFacts& p) {
-  return {{"effective_sample_size", p.effective}, {"points", p.sample.size()}, {"simulations", p.simulations}, {"blew_up", p.blew_up}};
+  return {{"effective_sample_size", p.effective}, {"points", p.sample.size()}, {"simulations", p.simulations}, {"diverged", p.blew_up}};
 }
 
 // Names of the parameters that satisfy a condition.
@@ -176,7 +176,7 @@ Json model(const Comparison& c, const ModelFit& r) {
   out["samples"] = samples(columns, r.runs.distributions);
   out["convergence"] = convergence(r.search.convergence);
   if (std::isfinite(r.likelihood.log_likelihood))
-    out["likelihood"] = {{"log_likelihood", r.likelihood.log_likelihood}, {"localisation_error", r.likelihood.error}};
+    out["likelihood"] = {{"log_likelihood", r.likelihood.log_likelihood}, {"measurement_error", r.likelihood.error}};
   if (r.posterior.simulations > 0) out["posterior"] = posterior(r.posterior);
   return out;
 }

@@ -223,7 +223,10 @@ std::vector<std::string> failures(const Comparison& c) {
 
 // What the page shows as well.
 std::string details(const Comparison& c, TextStyle style) {
-  std::string out = parameters_text(c, style);
+  std::vector<std::string> models;
+  for (const ModelFit& r : c.models)
+    if (!r.summary.empty()) models.push_back(r.model + ": " + r.summary);
+  std::string out = bullets("Models", models, Paint::bold, style) + parameters_text(c, style);
   if (const std::string fixed = kept_fixed(c); !fixed.empty()) out += paragraph("kept fixed: " + fixed, " ");
   out += paragraph("steps per frame: " + steps_taken(c), " ");
   out += energy_tables(c, style);

@@ -89,7 +89,7 @@ void add_skill(Json& top, const Comparison& c) {
 
 void add_skill(Json& model, const ModelFit& r, const Comparison& c) {
   model["skill_ci"] = {r.likeness.skill.value - 1.96 * r.likeness.skill.se, r.likeness.skill.value + 1.96 * r.likeness.skill.se};
-  model["refuted_by"] = refuted_by(r, c.recording.data.unit);
+  model["contradicted_by"] = refuted_by(r, c.recording.data.unit);
   model["observables"] = observables(c.recording.panel, r.likeness.panel);
   model["vacf"] = curve(r.likeness.vacf);
 }

@@ -351,8 +351,9 @@ std::string most_likely_values(const ModelFit& r) {
   if (!std::isfinite(r.likelihood.log_likelihood)) return out;
   for (const ParameterResult& p : r.parameters)
     if (std::isfinite(p.likelihood.value))
-      out += fmt::format("{}{} {}{}{}", out.empty() ? "" : ", ", p.name, likelihood_text(p), p.unit.empty() ? "" : " ", p.unit);
-  return out + fmt::format("; log-likelihood {:.1f}, localisation error {}", r.likelihood.log_likelihood, rounded(r.likelihood.error, 2));
+      out +=
+          fmt::format("{}{} {}{}{}", out.empty() ? "" : ", ", p.name, likelihood_text(p), p.unit.empty() ? "" : " ", unit_in_print(p.unit));
+  return out + fmt::format("; log-likelihood {:.1f}, measurement error {}", r.likelihood.log_likelihood, rounded(r.likelihood.error, 2));
 }
 
 std::string fitted_values(const ModelFit& r) {
@@ -361,7 +362,7 @@ std::string fitted_values(const ModelFit& r) {
     if (!p.fitted) continue;
     out += fmt::format("{}{} {}", out.empty() ? "" : ", ", p.name, rounded(p.value));
     if (std::isfinite(p.halves_lower)) out += fmt::format(" ({})", halves_text(p));
-    if (!p.unit.empty()) out += ' ' + p.unit;
+    if (!p.unit.empty()) out += ' ' + unit_in_print(p.unit);
   }
   return out;
 }

@@ -70,7 +70,9 @@ void set_ticks(Axis& axis, int intervals, int exponent) {
 
 int usual_exponent(const Axis& axis, int intervals) {
   const int exponent = label_exponent(std::max(std::abs(axis.lower), std::abs(axis.upper)));
-  const bool long_labels = round_step((axis.upper - axis.lower) / intervals) < 0.01 * (1 - kHair);
+  const double largest = std::max(std::abs(axis.lower), std::abs(axis.upper));
+  // Three decimals of what is near 1, two of what is smaller.
+  const bool long_labels = round_step((axis.upper - axis.lower) / intervals) < (largest < 0.1 ? 0.01 : 0.001) * (1 - kHair);
   return exponent == 0 && long_labels ? -3 : exponent;
 }
 
@@ -79,6 +81,8 @@ int usual_exponent(const Axis& axis, int intervals) {
 Axis linear(double lower, double upper, const TickWishes& wishes) {
   constexpr std::size_t kFew = 3;
   Axis axis;
+  if (lower == upper && upper != 0 && std::isfinite(upper))
+    lower -= 0.5 * std::abs(upper), upper += 0.5 * std::abs(upper);  // in the middle
   axis.lower = std::isfinite(lower) ? lower : 0;
   axis.upper = std::isfinite(upper) && upper > axis.lower ? upper : axis.lower + std::max(1.0, std::abs(axis.lower));
   int intervals = wishes.intervals;

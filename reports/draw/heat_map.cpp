@@ -84,7 +84,8 @@ void draw_heat_map(svg::Sheet& sheet, const Box& box, const HeatMap& map) {
   for (const double v : map.value)
     if (std::isfinite(v)) range.include(v);
   if (map.lower < map.upper) range.lower = map.lower, range.upper = map.upper;
-  const double low = range.empty() ? 0 : range.lower, high = range.empty() || range.upper <= low ? low + 1 : range.upper;
+  if (range.lower == range.upper) range.lower -= 0.5, range.upper += 0.5;  // in the middle of the colours
+  const double low = range.empty() ? 0 : range.lower, high = range.empty() ? 1 : range.upper;
   const auto share = [&](double v) { return (v - low) / (high - low); };
   draw_cells(sheet, box, map.x, map.y, {map.x_log, map.y_log}, map.label, {map.x_title, map.y_title},
              [&](std::size_t cell) { return heat_colour(share(map.value[cell])); });

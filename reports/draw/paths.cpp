@@ -17,9 +17,7 @@ constexpr std::size_t kSlices = 12;  // of time, each with its colour
 constexpr Index kMostPoints = 5000;  // of all paths
 constexpr double kBrightest = 0.92;  // of the colours: the last yellow is lost on white
 
-}  // namespace
-
-Window window_of(const std::vector<const Tracks*>& all) {
+Window window_around(const std::vector<const Tracks*>& all) {
   Eigen::Array2d low(INFINITY, INFINITY), high(-INFINITY, -INFINITY);
   for (const Tracks* t : all) {
     if (t->rows() == 0) continue;
@@ -34,11 +32,36 @@ Window window_of(const std::vector<const Tracks*>& all) {
   return out;
 }
 
+// Points of the sheet per length unit.
+double scale_of(const svg::Box& box, const Window& window) { return 0.5 * std::min(box.width, box.height) / window.half; }
+
+}  // namespace
+
+Window window_of(const Tracks& tracks) { return window_around({&tracks}); }
+
+Window window_for(const std::vector<const Tracks*>& all) {
+  constexpr double kMost = 2;  // beyond, the recording itself would be too small to see
+  const Window first = window_of(*all.front()), whole = window_around(all);
+  return whole.half <= kMost * first.half ? whole : Window{first.x, first.y, kMost * first.half};
+}
+
+double share_outside(const Tracks& tracks, const Window& window) {
+  const auto x = (tracks.pos().col(0) - window.x).abs(), y = (tracks.pos().col(1) - window.y).abs();
+  return tracks.rows() == 0 ? 0 : static_cast<double>((x.max(y) > window.half).count()) / static_cast<double>(tracks.rows());
+}
+
+void draw_window(svg::Sheet& sheet, const svg::Box& box, const Window& shown, const Window& window) {
+  const double scale = scale_of(box, window), side = 2 * scale * shown.half;
+  sheet.rectangle({box.left + box.width / 2 + scale * (shown.x - window.x) - side / 2,
+                   box.top + box.height / 2 - scale * (shown.y - window.y) - side / 2, side, side},
+                  "none", {svg::kSoft, 0.5, "2 2"});
+}
+
 void draw_paths(svg::Sheet& sheet, const svg::Box& box, const Tracks& tracks, const Window& window) {
   if (tracks.frames().empty()) return;
   const std::int64_t first = tracks.frames().front().number, frames = tracks.frames().back().number - first + 1;
   const auto every = static_cast<std::size_t>(std::max<Index>(1, (tracks.rows() + kMostPoints - 1) / kMostPoints));
-  const double scale = 0.5 * std::min(box.width, box.height) / window.half;
+  const double scale = scale_of(box, window);
   std::array<std::string, kSlices> paths;
   for_each_segment(tracks, 2, [&](std::span<const Index> rows) {
     svg::Point before{};

@@ -102,7 +102,7 @@ std::string shapes_text(const Summary& s, TextStyle style) {
   for (const Quantiles* q : {&s.speed, &s.acceleration, &s.nearest, &s.extent, &s.polarisation, &s.milling})
     cells.push_back(sparkline(q->shape));
   t.row(cells);
-  return '\n' + t.text();
+  return '\n' + t.folded();
 }
 
 std::string what_shapes_mean(const Binning& binning) {

@@ -20,7 +20,15 @@ std::string describe_text(const TrackMeta& meta, const Summary& s, TextStyle sty
          '\n';
   const Align l = Align::left, r = Align::right;
   out += TextTable(contents_rows(meta, s), {l, r, l}, false, style).text() + '\n';
-  out += TextTable(quantile_rows(meta, s), {l, r, r, r, r, r, l, l}, true, style).text() + '\n';
+  TextRows quantiles = quantile_rows(meta, s);
+  std::vector<std::string> outliers;  // too wide for the table
+  for (auto& row : quantiles) {
+    if (!row.back().empty()) outliers.push_back(row.front() + ' ' + row.back());
+    row.pop_back();
+  }
+  out += TextTable(quantiles, {l, r, r, r, r, r, l}, true, style).text();
+  if (!outliers.empty()) out += paragraph(enumerate(outliers) + " (beyond the median by 10 robust standard deviations)", " ");
+  out += '\n';
   out += paragraph(localisation_words(meta, s.localisation));
 
   out += shapes_text(s, style);

@@ -42,15 +42,15 @@ TextRows contents_rows(const TrackMeta& meta, const Summary& s) {
 TextRows quantile_rows(const TrackMeta& meta, const Summary& s) {
   const auto outliers = [](std::size_t n) { return n == 0 ? std::string() : counted(static_cast<std::int64_t>(n), "outlier"); };
   return {{"", "median", "5 – 95 %", "min – max", "mean", "sd", "", ""},
-          quantile_row("individuals per frame", s.individuals, ""),
-          quantile_row("length of a track", s.track_length, "frames"),
-          quantile_row("unbroken segment", s.segment_length, "frames"),
+          quantile_row("individuals", s.individuals, ""),
+          quantile_row("frames per track", s.track_length, ""),
+          quantile_row("frames unbroken", s.segment_length, ""),
           quantile_row("speed", s.speed, metric_unit(kSpeed, meta.unit), outliers(s.speed_outliers)),
           quantile_row("acceleration", s.acceleration, metric_unit(kAcceleration, meta.unit), outliers(s.acceleration_outliers)),
           quantile_row("nearest neighbour", s.nearest, meta.unit),
-          quantile_row("rms radius of the group, per frame", s.extent, meta.unit),
-          quantile_row("polarisation", s.polarisation, "0 .. 1"),
-          quantile_row("milling", s.milling, "0 .. 1")};
+          quantile_row("rms radius", s.extent, meta.unit),
+          quantile_row("polarisation", s.polarisation, ""),
+          quantile_row("milling", s.milling, "")};
 }
 
 std::string localisation_words(const TrackMeta& meta, const Localisation& l) {

@@ -8,11 +8,13 @@
 #include "reports/motion/player.h"
 #include "reports/recording/summary_words.h"
 #include "reports/write/assets.h"
+#include "reports/write/number.h"
 #include "reports/write/page.h"
 
 namespace swarmfit {
 namespace {
 
+// What a tracker may have done wrong; a simulation has none.
 Html suspicions(const Summary& s) {
   if (s.suspicions.empty()) return {};
   Html items;
@@ -26,7 +28,7 @@ Html suspicions(const Summary& s) {
 
 Html contents_table(const TextRows& rows) {
   HtmlTable table("Contents");
-  for (const auto& row : rows) table.row({name_cell(escaped(row[0])), number_cell(row[1]), text_cell(row[2])});
+  for (const auto& row : rows) table.row({name_cell(escaped(row[0])), number_cell(row[1]), text_cell(in_print(row[2]))});
   return table.html();
 }
 
@@ -78,8 +80,8 @@ std::string tracks_html(const Comparison& c, const TrackMeta& meta, const Summar
                  {"kind", page.model ? "simulation" : "recording"},
                  {"badge", sections::badge(c).text},
                  {"name", html_escaped(name)},
-                 {"facts", sections::data_facts(c).text},
-                 {"warnings", suspicions(summary).text},
+                 {"facts", sections::data_facts(c, page.model ? "simulation" : "recording").text},
+                 {"warnings", page.model ? std::string() : suspicions(summary).text},
                  {"motion", page_section("motion", "In motion", sections::motion(c).text)},
                  {"model", model_section(page).text},
                  {"quality", page_section("quality", "Quality of the tracks", sections::quality(c).text)},

@@ -52,6 +52,19 @@ plot::Axis axis_over(const std::vector<plot::Curve>& curves, double svg::Point::
   return range.empty() ? plot::linear(0, 1) : plot::linear(range.lower, range.upper, {part == &svg::Point::y ? 3 : 4, 0, false});
 }
 
+// The whole curve, and of its band no more than as much again to either side.
+plot::Axis axis_with_band(const plot::Curve& middle, const plot::Curve& low, const plot::Curve& high) {
+  plot::Range range, band;
+  for (const svg::Point& p : middle) range.include(p.y);
+  for (const plot::Curve* edge : {&low, &high})
+    for (const svg::Point& p : *edge) band.include(p.y);
+  if (range.empty() || band.empty()) return axis_over({middle}, &svg::Point::y);
+  const double span = range.upper - range.lower, room = span > 0 ? span : INFINITY, least = range.lower - room, most = range.upper + room;
+  range.include(std::max(band.lower, least));
+  range.include(std::min(band.upper, most));
+  return plot::linear(range.lower, range.upper, {3, 0, false});
+}
+
 }  // namespace
 
 std::string powers_unit(int length, int time, const std::string& length_unit) { return panel_unit({"", "", length, time}, length_unit); }
@@ -91,7 +104,7 @@ std::string group_curves_svg(const TrackMeta& meta, const MeasuredGroup& group) 
       low.push_back({c.x[i], c.y[i] - 2 * c.se[i]});
       high.push_back({c.x[i], c.y[i] + 2 * c.se[i]});
     }
-    plot::Panel panel(sheet, panel_box(sheet, k, kTop), axis_over({middle}, &svg::Point::x), axis_over({middle}, &svg::Point::y));
+    plot::Panel panel(sheet, panel_box(sheet, k, kTop), axis_over({middle}, &svg::Point::x), axis_with_band(middle, low, high));
     panel.band(low, high, 0);
     panel.curve(middle, 0);
     panel.x_axis(svg::plain(titled(c.x_name, powers_unit(c.x_length, c.x_time, meta.unit))));
@@ -110,9 +123,9 @@ std::string neighbour_map_svg(const TrackMeta& meta, const NeighbourMap& map) {
   heat.value = map.density;
   heat.x_title = titled("left – right", meta.unit);
   heat.y_title = titled("behind – ahead", meta.unit);
-  heat.value_title = "density over even";
+  heat.value_title = "density (1 = uniform)";
   plot::draw_heat_map(sheet, {34, 18, 150, 150}, heat);
-  return sheet.document(200, "Nearest neighbours in the eyes of the focal individual",
+  return sheet.document(200, "Nearest neighbours around the focal individual",
                         "Ahead is up. Colour: how often a nearest neighbour is there.");
 }
 

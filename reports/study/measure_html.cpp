@@ -50,7 +50,8 @@ Html states(const TrackMeta& meta, const Measured& measured) {
                  number_cell(brief(meta.t0 + meta.dt * static_cast<double>(s.last))), text_cell(s.state->name), text_cell(s.state->rule)});
   Html out = table.html();
   HtmlTable events("Fission and fusion");
-  events.head({column("group"), column("time [s]", true), column("event"), column("parts before", true), column("parts after", true)});
+  events.head(
+      {column("group"), column("time [s]", true), column("event"), column("subgroups before", true), column("subgroups after", true)});
   bool any = false;
   for (const MeasuredGroup& g : measured.groups)
     for (const GroupEvent& e : g.states.events) {
@@ -61,7 +62,7 @@ Html states(const TrackMeta& meta, const Measured& measured) {
     }
   if (any) out += events.html();
   out += element("p", "note",
-                 markup("A part holds at least a tenth of all individuals. A change of their number counts when it lasts a tenth of a "
+                 markup("A subgroup holds at least a tenth of all individuals. A change of their number counts when it lasts a tenth of a "
                         "window."));
   return out;
 }

@@ -51,7 +51,7 @@ Html coverage(const ParameterRecovery& r) {
   Html out = table.sortable().html();
   out += element("p", "note",
                  markup("The mark is what was counted, the bar the band, from half of the recordings to all. Width, bias and rmse (of the "
-                        "posterior's median): shares of what is searched, on the axis of the search."));
+                        "posterior's median): shares of the searched range, on the axis of the search."));
   return out;
 }
 

@@ -53,10 +53,11 @@ PaperTable coverage_table(const ParameterRecovery& r, const std::string& caption
 
 std::string parameter_recovery_text(const ParameterRecovery& r, TextStyle style) {
   if (r.cases.empty()) return fmt::format("None of {} recordings simulated from {} can be fitted.\n", r.left_out, r.model);
-  const std::string text = table_text(coverage_table(r, ""), style) +
-                           " width, bias and rmse (of the posterior's median): shares of what is searched, on the axis of the search\n " +
-                           coverage_band_text(r) + "\n " + ranks_text(r) + '\n' + (r.left_out > 0 ? left_out_text(r) + '\n' : "");
-  return style.unicode ? text : ascii(text);
+  const std::string text =
+      table_text(coverage_table(r, ""), style) +
+      paragraph("width, bias and rmse (of the posterior's median): shares of the searched range, on the axis of the search", " ") +
+      paragraph(coverage_band_text(r), " ") + paragraph(ranks_text(r), " ") + (r.left_out > 0 ? paragraph(left_out_text(r), " ") : "");
+  return finished(text, style);
 }
 
 std::string parameter_cases_csv(const ParameterRecovery& r) {

@@ -29,15 +29,16 @@ std::string lacking(double factor, double seconds) {
 
 Html pairs(const Power& p) {
   const double seconds = static_cast<double>(p.fitted.recording.data.frames) * p.fitted.recording.data.dt;
-  PaperTable t = pairs_table(
-      p, "Distinguished: the true model ranks before the rival, and the rival is not in the best group. Lead: of the true model's score.");
+  PaperTable t = pairs_table(p,
+                             "Distinguished: the true model ranks before the rival, and the rival is not in the best group. Lead: mean "
+                             "lead of the true model in score, with its sd.");
   t.align = "llrrrrrr";
   t.head.emplace_back("more of it");
   for (std::size_t k = 0; k < p.pairs.size(); ++k) t.rows[k].push_back(lacking(p.pairs[k].factor, seconds));
   Html out = on_screen(t).html();
   out += element(
       "p", "note",
-      markup("Needed for the order: how many times as long, or with how many times as many animals, for the true model to lead in 95 of "
+      markup("Data needed: how many times as long, or with how many times as many animals, for the true model to lead in 95 of "
              "100 recordings, if leads keep their mean and their scatter falls as one over the root of the length. Never: the true model "
              "does not lead on average, so more data may not help."));
   return out;

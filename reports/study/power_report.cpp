@@ -67,7 +67,7 @@ std::string power_sentence(const Power& p) {
 }
 
 PaperTable pairs_table(const Power& p, const std::string& caption) {
-  PaperTable t{"pairs", caption, {"true model", "rival", "ranked before", "distinguished", "mean lead", "sd", "needed for the order"}, {}};
+  PaperTable t{"pairs", caption, {"true model", "rival", "ranked before", "distinguished", "lead", "sd", "data needed"}, {}};
   for (const PowerPair& pair : p.pairs)
     t.rows.push_back({planted(p, pair), rival(p, pair), fmt::format("{} of {}", pair.first, pair.recordings),
                       fmt::format("{} of {}", pair.told_apart, pair.recordings), fixed(pair.lead, 2), fixed(pair.lead_sd, 2),
@@ -82,7 +82,7 @@ std::string power_text(const Power& p, TextStyle style) {
 }
 
 std::string pairs_csv(const Power& p) {
-  std::string out = "planted,rival,recordings,ranked_before,told_apart,lead,lead_sd,factor\n";
+  std::string out = "true_model,rival,recordings,ranked_before,distinguished,lead,lead_sd,factor\n";
   for (const PowerPair& pair : p.pairs)
     out += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(planted(p, pair)), csv_field(rival(p, pair)), pair.recordings, pair.first,
                        pair.told_apart, exact(pair.lead), exact(pair.lead_sd), exact(pair.factor));
@@ -92,17 +92,17 @@ std::string pairs_csv(const Power& p) {
 std::string to_json(const Power& p, const Settings& settings) {
   Json pairs = Json::array();
   for (const PowerPair& pair : p.pairs)
-    pairs.push_back({{"planted", planted(p, pair)},
+    pairs.push_back({{"true_model", planted(p, pair)},
                      {"rival", rival(p, pair)},
                      {"recordings", pair.recordings},
                      {"ranked_before", pair.first},
-                     {"told_apart", pair.told_apart},
+                     {"distinguished", pair.told_apart},
                      {"lead", finite(pair.lead)},
                      {"lead_sd", finite(pair.lead_sd)},
                      {"factor", finite(pair.factor)}});
   Json recovery = Json::parse(to_json(p.recovery, settings));
-  Json all = {{"schema", "swarmfit-power/1"}, {"answer", power_sentence(p)}, {"pairs", std::move(pairs)}};
-  for (const char* key : {"conditions", "compared", "planted", "cases"}) all[key] = recovery[key];
+  Json all = {{"schema", "swarmfit-power/2"}, {"answer", power_sentence(p)}, {"pairs", std::move(pairs)}};
+  for (const char* key : {"conditions", "compared", "true_models", "cases"}) all[key] = recovery[key];
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

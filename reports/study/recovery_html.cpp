@@ -78,8 +78,8 @@ std::string recovery_detail(const Recovery& r) {
     outside += !in_it && best > 0;
   }
   const int unknown = static_cast<int>(r.cases.size()) - alone - shared - outside;
-  return fmt::format("It is alone in the best group in {}, shares the group with others in {}, and is not in it in {}{}.", alone, shared,
-                     outside, unknown > 0 ? fmt::format("; in {} the groups are not known", unknown) : "");
+  return fmt::format("It is alone in the best group in {}, shares it with others in {}, and is outside it in {}{}.", alone, shared, outside,
+                     unknown > 0 ? fmt::format("; in {} the groups are not known", unknown) : "");
 }
 
 std::string recovery_html(const Recovery& r, const Settings& settings, const std::string& version) {

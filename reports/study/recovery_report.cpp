@@ -41,7 +41,7 @@ std::string table_text(const PaperTable& table, TextStyle style) {
   TextTable t(align, style);
   t.row(table.head, Paint::bold);
   for (const auto& row : table.rows) t.row(row);
-  return style.unicode ? t.text() : ascii(t.text());
+  return finished(t.width() > kTextWidth ? t.folded() : t.text(), style);
 }
 
 PaperTable confusion_table(const Recovery& r, const std::string& caption) {
@@ -69,7 +69,7 @@ std::string recovery_text(const Recovery& r, TextStyle style) {
 }
 
 std::string recovery_csv(const Recovery& r) {
-  std::string out = "planted,seed,rank,model,score,score_se,group,gof_p\n";
+  std::string out = "true_model,seed,rank,model,score,score_se,group,gof_p\n";
   for (const RecoveryCase& c : r.cases)
     for (std::size_t k = 0; k < c.order.size(); ++k)
       out += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(r.planted[c.planted]), c.seed, k + 1, csv_field(c.order[k]),
@@ -87,7 +87,7 @@ std::string to_json(const Recovery& r, const Settings& conditions) {
                        {"recovered", counts_of::recovered(r, p)},
                        {"recordings", counts_of::recordings(r, p)}});
   for (const RecoveryCase& c : r.cases)
-    cases.push_back({{"planted", r.planted[c.planted]},
+    cases.push_back({{"true_model", r.planted[c.planted]},
                      {"seed", c.seed},
                      {"parameters", parameters(r.rows[c.planted], c.parameters)},
                      {"order", c.order},
@@ -95,10 +95,10 @@ std::string to_json(const Recovery& r, const Settings& conditions) {
                      {"score_se", c.score_se},
                      {"group", c.group},
                      {"gof_p", c.gof_p}});
-  const Json all = {{"schema", "swarmfit-recovery/1"},
+  const Json all = {{"schema", "swarmfit-recovery/2"},
                     {"conditions", std::move(settings)},
                     {"compared", r.compared},
-                    {"planted", std::move(planted)},
+                    {"true_models", std::move(planted)},
                     {"cases", std::move(cases)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -16,7 +16,7 @@ namespace swarmfit {
 std::string recovery_text(const Recovery&, TextStyle);             // both matrices
 std::string table_text(const PaperTable&, TextStyle);              // aligned, without the caption
 std::string to_json(const Recovery&, const Settings& conditions);  // "swarmfit-recovery/1"
-std::string recovery_csv(const Recovery&);                         // one row per case and model: planted, seed, rank, model, score, ...
+std::string recovery_csv(const Recovery&);                         // one row per case and model: true_model, seed, rank, model, score, ...
 PaperTable confusion_table(const Recovery&, const std::string& caption);   // "confusion"
 PaperTable confidence_table(const Recovery&, const std::string& caption);  // "confidence": how often in the best group
 

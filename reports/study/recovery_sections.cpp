@@ -164,7 +164,7 @@ Html how_matrices_read() {
 
 Html overlap_table(const Recovery& r) {
   HtmlTable table("Every pair of models: in how many recordings of one the other was in the best group, too.");
-  table.head({column("first"), column("second"), column("first is true", true), column("second is true", true), column("")});
+  table.head({column("first"), column("second"), column("first is true", true), column("second is true", true), column("verdict")});
   for (std::size_t a = 0; a < r.compared.size(); ++a)
     for (std::size_t b = a + 1; b < r.compared.size(); ++b) {
       const Overlap one = overlap(r, r.compared[a], r.compared[b]), other = overlap(r, r.compared[b], r.compared[a]);

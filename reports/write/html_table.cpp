@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "reports/write/number.h"
+
 namespace swarmfit {
 
 namespace {
@@ -57,7 +59,12 @@ std::string html_escaped(std::string_view text) {
   return out;
 }
 
-Html escaped(std::string_view text) { return {html_escaped(text)}; }
+Html escaped(std::string_view text) {
+  std::string out = html_escaped(text);
+  for (std::size_t k = 1; k + 1 < out.size(); ++k)  // "95 %" stays on one line
+    if (out[k] == ' ' && out[k + 1] == '%' && out[k - 1] >= '0' && out[k - 1] <= '9') out.replace(k, 1, "\u00a0");
+  return {out};
+}
 
 Html element(std::string_view tag, std::string_view classes, const Html& content) {
   return {fmt::format("{}{}</{}>", opened(tag, classes), content.text, tag)};
@@ -90,7 +97,7 @@ Html HtmlTable::html() const {
 
 HtmlTable::Cell name_cell(Html content) { return {.content = std::move(content), .head = true}; }
 HtmlTable::Cell text_cell(std::string_view text) { return {.content = escaped(text)}; }
-HtmlTable::Cell number_cell(std::string_view text, bool soft) { return {.content = escaped(text), .number = true, .soft = soft}; }
+HtmlTable::Cell number_cell(std::string_view text, bool soft) { return {.content = escaped(in_print(text)), .number = true, .soft = soft}; }
 HtmlTable::Cell column(std::string_view title, bool number, bool soft, std::string_view note) {
   return {.content = escaped(title), .number = number, .head = true, .soft = soft, .note = std::string(note)};
 }

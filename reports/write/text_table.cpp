@@ -49,7 +49,8 @@ std::string wrapped(std::string_view text, std::size_t width, std::string_view i
   std::string out;
   std::size_t column = 0;
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
+    std::size_t end = std::min(text.find(' '), text.size());
+    while (text.substr(end).starts_with(" %")) end = std::min(text.find(' ', end + 1), text.size());  // "95 %" stays together
     const std::string_view word = text.substr(0, end);
     const std::size_t room = display_width(ascii(word));  // as wide as it may become
     if (column > 0 && column + 1 + room > width) {

@@ -24,8 +24,8 @@ class Pages:
         self.program = str(pathlib.Path(program).resolve())
         self.folder = pathlib.Path(folder)
 
-    def run(self, *arguments):
-        done = subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=300, check=False)
+    def run(self, *arguments, timeout=300):
+        done = subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=timeout, check=False)
         if done.returncode != 0:
             raise RuntimeError(f"{' '.join(arguments)}: {done.stderr.strip()}")
 

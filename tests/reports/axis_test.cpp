@@ -48,6 +48,19 @@ TEST(Axis, LongLabelsAreInPowersOfAThousand) {
   EXPECT_EQ(in_units(linear(0, 1), "").markup, "");
 }
 
+TEST(Axis, NearOneHasThreeDecimals) {
+  EXPECT_THAT(labels(linear(0.982, 0.992, {3, 0, true})), ElementsAre("0.982", "0.984", "0.986", "0.988", "0.990", "0.992"));
+  EXPECT_THAT(labels(linear(0.0982, 0.0992, {3, 0, true})), ElementsAre("98.2", "98.4", "98.6", "98.8", "99.0", "99.2")) << "times 10⁻³";
+}
+
+TEST(Axis, AConstantStandsInTheMiddle) {
+  for (const double value : {1.0, -4.0, 0.02}) {
+    const Axis axis = linear(value, value);
+    EXPECT_DOUBLE_EQ(axis.place(value), 0.5) << value;
+  }
+  EXPECT_DOUBLE_EQ(linear(0, 0).place(0), 0) << "counts of nothing";
+}
+
 TEST(Axis, LabelsStandApart) {
   for (const double room : {30.0, 50.0, 72.0, 200.0}) {
     const Axis axis = linear(-6500, 11000, {5, room, true});

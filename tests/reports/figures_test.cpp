@@ -222,6 +222,33 @@ TEST(Pictures, StandBesideEachOther) {
   EXPECT_EQ(parts::forces(sample_comparison()).svg, "");
 }
 
+// All of them moved by so much.
+Tracks shifted(const Tracks& tracks, double by) {
+  TrackColumns columns;
+  columns.names = tracks.names();
+  columns.pos = tracks.pos();
+  columns.pos.col(0) += by;
+  columns.track.assign(tracks.track().begin(), tracks.track().end());
+  columns.frame.assign(tracks.frame().begin(), tracks.frame().end());
+  return {std::move(columns), tracks.meta()};
+}
+
+// The circles of the recording are 100 mm wide; figures are rounded to two digits.
+TEST(Pictures, FirstFigureHoldsWhatLeavesTheRecordingsFrame) {
+  Comparison c = with_pictures();
+  c.models[0].film = c.film;
+  EXPECT_THAT(parts::trajectory_strip(c).caption, HasSubstr("panels are 100 mm high."));
+  EXPECT_THAT(parts::trajectory_strip(c).caption, Not(HasSubstr("Dashed")));
+
+  c.models[0].film = shifted(c.film, 80);
+  EXPECT_THAT(parts::trajectory_strip(c).caption,
+              AllOf(HasSubstr("panels are 180 mm high. Dashed: the square of 100 mm that holds the recording."), Not(HasSubstr("Beyond"))));
+
+  c.models[0].film = shifted(c.film, 500);
+  EXPECT_THAT(parts::trajectory_strip(c).caption,
+              AllOf(HasSubstr("panels are 200 mm high."), HasSubstr("Beyond the frame is bswarm (100 % of its positions).")));
+}
+
 TEST(Pictures, PosteriorOfEveryModelThatHasOne) {
   Comparison c = sample_comparison();
   EXPECT_EQ(parts::posterior(c, 0).svg, "");
@@ -248,6 +275,29 @@ TEST(Pictures, WhatDoesNotVaryIsDrawn) {
   std::vector<double>& p = c.recording.pictures.recording.polarisation;
   for (std::size_t k = 0; k < p.size(); ++k) p[k] = k % 2 == 0 ? 1 : std::nextafter(1, 2);
   EXPECT_LT(parts::order(c).svg.size(), 200'000u);
+}
+
+// A polarisation is no more than 1, whatever the standard deviation.
+TEST(Pictures, BandsStayWithinWhatCanBe) {
+  Comparison c = with_pictures();
+  for (ModelFit& r : c.models) {
+    r.likeness.pictures.mean.polarisation.assign(c.recording.pictures.recording.polarisation.size(), 0.9);
+    r.likeness.pictures.sd.polarisation.assign(c.recording.pictures.recording.polarisation.size(), 0.3);
+  }
+  EXPECT_THAT(parts::order(c).svg, AllOf(HasSubstr(">1.0<"), Not(HasSubstr(">1.5<"))));
+}
+
+TEST(Pictures, AColourBarStandsBesideItsLastMap) {
+  Comparison alone = with_pictures();
+  alone.models.clear();
+  const auto right_end = [](const Figure& f) {
+    double out = 0;
+    for (std::size_t at = 0; (at = f.svg.find("<rect x=\"", at)) != std::string::npos; ++at)
+      out = std::max(out, std::atof(f.svg.c_str() + at + 9));
+    return out;
+  };
+  EXPECT_LT(right_end(parts::neighbours(alone)), 200) << "of a sheet 505 points wide";
+  EXPECT_GT(right_end(parts::neighbours(with_pictures())), 400);
 }
 
 TEST(Pictures, ForcesAreSaidAndTabulated) {

@@ -102,6 +102,16 @@ TEST(Report, ScriptsEndWhereTheyShould) {
   EXPECT_EQ(occurrences(page, "</script>"), kScripts);
 }
 
+TEST(Report, VariantsSayWhatSetsThemApart) {
+  Comparison c = sample_comparison();
+  c.models[1].summary = "bswarm with Perlin noise. Force model";
+  EXPECT_THAT(report_html(c), HasSubstr("<span class=\"what\">bswarm with Perlin noise</span>"));
+  c.models.erase(c.models.begin());
+  c.run.named.erase(c.run.named.begin());
+  EXPECT_THAT(report_html(c), HasSubstr("<span class=\"what\">bswarm with Perlin noise. Force model</span>"))
+      << "nothing else says what bswarm is";
+}
+
 TEST(Report, HostileTextIsShownAndNeverRuns) {
   Comparison c = sample_comparison({{kHostile, 0.9, NAN, 1.1}, {"boids", NAN, NAN, 1.3}});
   c.recording.data.path = c.recording.data.unit = c.recording.data.sha256 = c.recording.data.columns = c.run.version = c.run.budget.name =

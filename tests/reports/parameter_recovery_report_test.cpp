@@ -29,7 +29,7 @@ TEST(ParameterRecoveryReport, CoverageByHand) {
   EXPECT_THAT(t.rows[0], ElementsAre("D", "1 of 2", "2", "0", "0", "0.05", "0.010", "0.020"));
   EXPECT_THAT(t.rows[1], ElementsAre("k", "2 of 2", "0", "1", "1", "0.70", "-0.100", "0.200"));
   const std::string text = parameter_recovery_text(sample(), {});
-  EXPECT_THAT(text, HasSubstr("contain 181 to 197 of 1 true values (99 % of the binomial, 2 parameters)"));
+  EXPECT_THAT(text, HasSubstr("contain 181 to 197 of 1 true values (99 % of the\n binomial, 2 parameters)"));
   EXPECT_THAT(text, HasSubstr("3 more recordings were left out"));
   EXPECT_THAT(parameter_recovery_text({"brownian", {}, {}, 30, 0, 0}, {}), HasSubstr("None of 30 recordings"));
 }

@@ -60,10 +60,10 @@ TEST(PowerReport, WritesARunThatHoldsTheAnswer) {
   p.pairs[1].factor = INFINITY;
   write_power(dir.string(), p, {{"seeds", "3"}});
   const auto json = nlohmann::json::parse(read_file((dir / "power.json").string()));
-  EXPECT_EQ(json["schema"], "swarmfit-power/1");
+  EXPECT_EQ(json["schema"], "swarmfit-power/2");
   EXPECT_EQ(json["answer"], power_sentence(p));
   EXPECT_TRUE(json["pairs"][1]["factor"].is_null());
-  EXPECT_EQ(json["pairs"][3]["told_apart"], 2);
+  EXPECT_EQ(json["pairs"][3]["distinguished"], 2);
   EXPECT_THAT(read_file((dir / "config.toml").string()), HasSubstr("[power]\nseeds = 3\n"));
   for (const char* table : {"pairs.md", "pairs.tex", "pairs.csv", "cases.csv", "confusion.md", "confidence.tex"})
     EXPECT_TRUE(std::filesystem::exists(dir / "tables" / table)) << table;

@@ -42,7 +42,7 @@ std::string page() { return recovery_html(sample(), kSettings, "1.2.3"); }
 TEST(RecoveryPage, AnswersInWords) {
   EXPECT_EQ(recovery_sentence(sample()), "The true model is ranked first in 3 of 4 recordings.");
   EXPECT_EQ(recovery_detail(sample()),
-            "It is alone in the best group in 1, shares the group with others in 1, and is not in it in 1; in 1 the groups are not known.");
+            "It is alone in the best group in 1, shares it with others in 1, and is outside it in 1; in 1 the groups are not known.");
   Recovery all = sample();
   all.cases.resize(2);
   EXPECT_EQ(recovery_sentence(all), "The true model is ranked first in all 2 recordings.");

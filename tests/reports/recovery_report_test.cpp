@@ -42,15 +42,15 @@ TEST(RecoveryReport, TextByHand) {
 
 TEST(RecoveryReport, CsvHasOneRowPerCaseAndModel) {
   EXPECT_EQ(recovery_csv(sample()),
-            "planted,seed,rank,model,score,score_se,group,gof_p\nbswarm,1,1,bswarm,0.9,0.01,1,0.3\nbswarm,1,2,boids,0.1,,2,0.01\n"
+            "true_model,seed,rank,model,score,score_se,group,gof_p\nbswarm,1,1,bswarm,0.9,0.01,1,0.3\nbswarm,1,2,boids,0.1,,2,0.01\n"
             "boids,1,1,bswarm,0.6,0.01,1,0.5\nboids,1,2,boids,0.4,0.02,1,0.04\n");
 }
 
 TEST(RecoveryReport, JsonHoldsConditionsParametersAndCases) {
   const auto json = nlohmann::json::parse(to_json(sample(), {{"agents", "10"}}));
   EXPECT_EQ(json["conditions"]["agents"], "10");
-  EXPECT_EQ(json["planted"][1]["recovered"], 0);
-  EXPECT_EQ(json["planted"][1]["parameters"]["speed"], 1.0);
+  EXPECT_EQ(json["true_models"][1]["recovered"], 0);
+  EXPECT_EQ(json["true_models"][1]["parameters"]["speed"], 1.0);
   ASSERT_EQ(json["cases"].size(), 2u);
   EXPECT_EQ(json["cases"][1]["parameters"]["speed"], 1.0);
 }

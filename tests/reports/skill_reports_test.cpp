@@ -85,8 +85,8 @@ TEST(SkillJson, WhatRefutesAModelAndWhichNullTheScaleHas) {
   c.models[0].parameters[0].interaction = true;
   c.recording.skill.null_of = SkillNull::places;
   auto j = json::parse(to_json(c));
-  EXPECT_EQ(j["models"][0]["refuted_by"].size(), 0u);
-  const auto& facts = j["models"][1]["refuted_by"];
+  EXPECT_EQ(j["models"][0]["contradicted_by"].size(), 0u);
+  const auto& facts = j["models"][1]["contradicted_by"];
   EXPECT_EQ(facts[0]["key"], "vacf_zero");
   EXPECT_EQ(facts[0]["unit"], "s");
   EXPECT_TRUE(facts[0]["recording"]["value"].is_null());

@@ -70,6 +70,14 @@ TEST(RankingText, FitsEightyColumns) {
   EXPECT_LE(widest(ranking_text(sample_comparison(), {.colour = false, .unicode = false})), 80u);
 }
 
+TEST(RankingText, SaysInFullWhatTheModelsAre) {
+  Comparison c = sample_comparison();
+  c.models[2].summary = "bswarm with white noise. Insect swarm";
+  EXPECT_THAT(ranking_text(c, {}), Not(HasSubstr("with white noise")));
+  EXPECT_THAT(ranking_text(c, {}, Detail::all), HasSubstr("\nModels\n  - bswarm: Force model with drag"));
+  EXPECT_THAT(ranking_text(c, {}, Detail::all), HasSubstr(": bswarm with white noise. Insect swarm\n"));
+}
+
 TEST(RankingText, ShowsHalvesAndPosteriorsWhereThereAreSome) {
   Comparison c = sample_comparison();
   EXPECT_THAT(ranking_text(c, {}, Detail::all), Not(HasSubstr("the other way round")));
@@ -149,6 +157,18 @@ TEST(DescribeText, SaysWhatIsThereAndWhatIsSuspicious) {
   EXPECT_TRUE(is_ascii(describe_text(meta, s, {.colour = false, .unicode = false})));
 }
 
+TEST(DescribeText, FitsEightyColumns) {
+  Summary s{};
+  const Quantiles wide{5562, 1600, 0.00838, 0.501, 0.0102, 1240, 0.154, 43900, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
+  s.individuals = s.track_length = s.segment_length = s.speed = s.acceleration = s.nearest = s.extent = s.polarisation = s.milling = wide;
+  s.speed_outliers = 30, s.acceleration_outliers = 32;
+  TrackMeta meta;
+  meta.unit = "mm";
+  const std::string text = describe_text(meta, s, {});
+  EXPECT_THAT(text, HasSubstr("\n speed 30 outliers and acceleration 32 outliers (beyond the median by 10 robust"));
+  EXPECT_LE(widest(text), 80u);
+}
+
 TEST(FirstRowsText, FiveRowsAsUnderstood) {
   TrackColumns columns;
   columns.names = {"Ada\n"};
@@ -212,6 +232,7 @@ TEST(TextTable, ColumnsStandStraightInAsciiToo) {
 
 TEST(Wrapped, BreaksAtSpacesOnly) {
   EXPECT_EQ(wrapped("aa bb cc", 5, "  "), "aa bb\n  cc");
+  EXPECT_EQ(wrapped("the 95 % of it", 7, " "), "the\n 95 %\n of it") << "a number and its sign are one word";
   EXPECT_EQ(wrapped("unbreakable", 3), "unbreakable");
   EXPECT_EQ(wrapped("", 3), "");
 }

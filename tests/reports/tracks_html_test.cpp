@@ -35,7 +35,7 @@ TEST(TracksPage, ShowsARecordingByItself) {
   EXPECT_THAT(page, HasSubstr("<h1>swarm.txt</h1>"));
   EXPECT_THAT(page, HasSubstr("class=\"player\""));
   EXPECT_THAT(page, HasSubstr("<canvas id=\"pdf-eta\""));
-  EXPECT_THAT(page, HasSubstr("rms radius of the group"));
+  EXPECT_THAT(page, HasSubstr("frames per track"));
   EXPECT_THAT(page, HasSubstr("Measurement error:"));
   EXPECT_THAT(page, HasSubstr("<code>swarmfit describe swarm.txt --html page.html</code>"));
   EXPECT_THAT(page, HasSubstr("Made by swarmfit 1.2.3."));
@@ -46,6 +46,18 @@ TEST(TracksPage, NamesTheModelOfASimulation) {
   const std::string page = page_of(alone(), {"swarmfit simulate vicsek", "1.2.3", card()});
   for (const char* said : {"<h1>vicsek</h1>", "Alignment with noise.", "Vicsek et al. 1995", ">eta<", ">0.2500<"})
     EXPECT_THAT(page, HasSubstr(said));
+}
+
+// Agents may halt, or start at one place: no tracker is at fault.
+TEST(TracksPage, BlamesNoTrackerForASimulation) {
+  const Comparison c = alone();
+  Summary summary = summarise(c.film);
+  summary.suspicions = {{"frozen track", "1 of 4", ""}};
+  TrackMeta meta = c.film.meta();
+  EXPECT_THAT(tracks_html(c, meta, summary, {"", "1", {}}), HasSubstr("frozen track"));
+  const std::string simulated = tracks_html(c, meta, summary, {"", "1", card()});
+  EXPECT_THAT(simulated, Not(HasSubstr("frozen track")));
+  EXPECT_THAT(simulated, HasSubstr("<dt>simulation</dt>"));
 }
 
 TEST(TracksPage, HostileTextStaysText) {

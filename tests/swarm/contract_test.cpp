@@ -108,6 +108,7 @@ TEST(EverySpec, TableIsSound) {
       EXPECT_TRUE(used.insert(o.name).second) << o.name;
       EXPECT_GE(o.values.size(), 2u) << o.name;
       EXPECT_EQ(std::set(o.values.begin(), o.values.end()).size(), o.values.size()) << o.name;
+      EXPECT_EQ(std::set(o.with.begin(), o.with.end()).size(), o.values.size()) << o.name << ": what each value means";
     }
     for (std::size_t k = 0; k < spec.parameters.size(); ++k) {
       const Parameter& p = spec.parameters[k];

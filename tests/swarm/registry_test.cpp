@@ -122,4 +122,16 @@ TEST(UnitNames, ReadLikeUnits) {
 }
 
 }  // namespace
+TEST(Registry, VariantsSayWhatSetsThemApart) {
+  EXPECT_EQ(summary_of(parse_model("vicsek")), "alignment with noise at constant speed");
+  EXPECT_EQ(summary_of(parse_model("bswarm[noise=none,avoidance=none]")).substr(0, 61),
+            "bswarm with no noise and no collision avoidance. Insect swarm");
+  for (const ModelSpec& spec : models())
+    for (const Option& o : spec.options)
+      for (const std::string& value : o.values)
+        EXPECT_EQ(summary_of(parse_model(spec.name + '[' + o.name + '=' + value + ']')).starts_with(spec.name + " with "),
+                  value != o.values.front())
+            << spec.name << ' ' << o.name << ' ' << value;
+}
+
 }  // namespace swarmfit
