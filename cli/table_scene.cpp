@@ -14,7 +14,7 @@ constexpr double kSmall = 1e-9, kLarge = 1e9;  // lengths and speeds, in any uni
 
 // Nothing that is not given is changed: a scenario says all, and a model alone stands for one with 100 agents for 500 frames of 0.01 s in a
 // box of side 20. One that learns from a recording moves in the open, in the recording's units and frames.
-constexpr decltype(Setting::elsewhere) kTheScenarios{kSimulate, ""};
+constexpr decltype(Setting::elsewhere) kTheScenarios{kSimulate | kSweep, ""};
 
 std::vector<Setting> of_all_scenes() {
   return {

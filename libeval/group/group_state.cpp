@@ -8,6 +8,7 @@
 
 #include "libeval/group/order_formulas.h"
 #include "libtrack/nan.h"
+#include "libtrack/quantile.h"
 
 namespace swarmfit {
 namespace {
@@ -24,17 +25,23 @@ constexpr double kParallel = 0.9;        // P of what flies as one
 constexpr double kUnordered = 0.4;       // P of a swarm
 constexpr double kStill = 0.3;           // P of what rotates in place
 constexpr double kTurningLine = 0.1;     // 0.01 rad a step of the reference's 0.5, where a chain is some 10 long
+constexpr double kAlongLine = 0.9;       // Ma over that of random headings: who is in the chain runs to and fro along it
+constexpr double kFills = 0.5;           // of a periodic box across: a gas, whatever its links; 1/4 of the area, as in Strömbom's programs
 constexpr double kHalf = 0.5;            // |M| of either half of a figure of eight
 constexpr double kVortexTurning = 0.5;   // a flock that flies straight has less than 0.2, a ring 1
 constexpr double kVortexRotation = 1.1;  // Ma over that of random headings
-constexpr double kComet = 3;             // rms extent over median radius, for the tail
+constexpr double kComet = 3;             // rms distance over the median, for the tail
+constexpr double kStragglers = 0.05;     // of all: fewer have been lost, and are no tail
 constexpr double kCompact = 5.0 / 6;     // rms extent over the link distance: 100 m of 120 m
 constexpr double kWasAligned = 0.8;      // at the start of a semi-vortex
+constexpr double kWasDense = 1.0 / 3;    // rms extent over the link distance at the start of a compact flock: 35 m of 120 m for R = 50 m
 
 double rotation_of_mill(const F& f) { return f.dims == 2 ? 0.85 : 0.92; }
 double random_rotation(const F& f) { return f.dims == 2 ? 0.6366 : 0.7854; }  // 2/π, π/4
 double hollow_core(const F& f) { return f.dims == 2 ? 0.05 : 0.025; }         // a uniform disc has 1/8 there, a ball 1/16
 bool hollow(const F& f) { return f.core < hollow_core(f); }
+bool rotates(const F& f) { return f.rotation >= random_rotation(f); }  // rather than moving in and out
+bool circulates(const F& f) { return f.axis_turn > kTurningLine || f.rotation < kAlongLine * random_rotation(f); }
 bool split(const F& f) { return f.largest < kWhole && f.parts >= 2; }
 bool vortex(const F& f) {
   return f.polarisation < kStill && f.turning > kVortexTurning && f.rotation > kVortexRotation * random_rotation(f);
@@ -50,18 +57,20 @@ const std::array kStates{
                [](const F& f, const H&) { return f.largest < kWhole; }},
     GroupState{"moving_chain", "moving chain", kGroup, "axis ratio < 0.05, P ≥ 0.9",
                [](const F& f, const H&) { return f.axis_ratio < kLine && f.polarisation >= kParallel; }},
-    GroupState{"rotating_chain", "rotating chain", kGroup, "axis ratio < 0.05, P < 0.9, axis turning by > 0.1 speed/extent",
-               [](const F& f, const H&) { return f.axis_ratio < kLine && f.axis_turn > kTurningLine; }},
-    GroupState{"mill", "directed mill", kGroup, "M > 0.65", [](const F& f, const H&) { return f.net_rotation > kMill; }},
     GroupState{"figure_of_eight", "figure of eight", kGroup,
                "P < 0.5, halves along the long axis rotate in opposite senses, both |M| > 0.5",
                [](const F& f, const H&) { return f.polarisation < 0.5 && f.halves < -kHalf; }},
+    GroupState{"rotating_chain", "rotating chain", kGroup,
+               "axis ratio < 0.05, P < 0.9, axis turning by > 0.1 speed/extent, or Ma < 0.9 times that of random headings",
+               [](const F& f, const H&) { return f.axis_ratio < kLine && circulates(f); }},
+    GroupState{"mill", "directed mill", kGroup, "M > 0.65", [](const F& f, const H&) { return f.net_rotation > kMill; }},
     GroupState{"undirected_mill", "undirected mill", kGroup, "Ma > 0.85 (space 0.92), P < 0.3, < 5 % (2.5 %) within half the median radius",
                [](const F& f, const H&) { return f.rotation > rotation_of_mill(f) && f.polarisation < kStill && hollow(f); }},
     GroupState{"aligned", "aligned", kGroup, "P > 0.9, axis ratio ≥ 0.05",
                [](const F& f, const H&) { return f.polarisation > kParallel && f.axis_ratio >= kLine; }},
-    GroupState{"swarm", "swarm", kGroup, "P < 0.4, not hollow",
-               [](const F& f, const H&) { return f.polarisation < kUnordered && !hollow(f); }},
+    GroupState{"swarm", "swarm", kGroup,
+               "P < 0.4, not hollow or Ma < that of random headings, reaching across less than half of a periodic box",
+               [](const F& f, const H&) { return f.polarisation < kUnordered && !(hollow(f) && rotates(f)) && f.span < kFills; }},
     GroupState{"disordered", "disordered", kGroup, "none of the above", [](const F&, const H&) { return true; }},
 
     GroupState{"split", "split", kFlock, "largest component < 70 % of all, two subgroups or more",
@@ -70,12 +79,14 @@ const std::array kStates{
                [](const F& f, const H& h) { return h.aligned && vortex(f); }},
     GroupState{"vortex", "vortex", kFlock, "P < 0.3, Ma > 1.1 times that of random headings, angular speed > 0.5 speed/median radius",
                [](const F& f, const H&) { return vortex(f); }},
-    GroupState{"comet", "comet", kFlock, "P > 0.9, largest component ≥ 70 %, rms extent > 3 times the median radius",
-               [](const F& f, const H&) { return flies(f, kWhole) && f.extent > kComet * f.median_radius; }},
+    GroupState{"comet", "comet", kFlock,
+               "P > 0.9, largest component ≥ 70 %, rms distance of all from its middle > 3 times the median, 5 % farther than that",
+               [](const F& f, const H&) { return flies(f, kWhole) && f.tail > kComet && f.straying >= kStragglers; }},
     GroupState{"convergence", "convergence", kFlock, "P > 0.9, largest component ≥ 95 %, two subgroups or more before",
                [](const F& f, const H& h) { return h.split && flies(f, kTogether); }},
-    GroupState{"compact", "compact", kFlock, "P > 0.9, largest component ≥ 95 %, rms extent < 5/6 of the link distance",
-               [](const F& f, const H&) { return flies(f, kTogether) && f.extent < kCompact * f.link; }},
+    GroupState{"compact", "compact", kFlock,
+               "P > 0.9, largest component ≥ 95 %, rms extent < 5/6 of the link distance, having begun with < 1/3",
+               [](const F& f, const H& h) { return h.dense && flies(f, kTogether) && f.extent < kCompact * f.link; }},
     GroupState{"cohesive", "cohesive", kFlock, "P > 0.9, largest component ≥ 95 %",
                [](const F& f, const H&) { return flies(f, kTogether); }},
     GroupState{"disordered", "disordered", kFlock, "none of the above", [](const F&, const H&) { return true; }},
@@ -100,6 +111,42 @@ Eigen::Vector3d turn_of(const Moment& moment) {
   const double sine = cross.norm();
   return sine > 0 ? Eigen::Vector3d(cross / sine * std::asin(std::min(1.0, sine)) / moment.options().dt)
                   : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+// The shortest way round along the axes of a periodic box.
+Eigen::Vector3d wrapped(Eigen::Vector3d way, const Eigen::Array3d& period) {
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    if (period[axis] > 0) way[axis] -= period[axis] * std::round(way[axis] / period[axis]);
+  return way;
+}
+
+// How far the places reach along the periodic axis that they fill most, over its side.
+double span_of(const Moment& m) {
+  double most = 0;
+  const Eigen::Array3d& period = m.options().period;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (!(period[axis] > 0) || m.size() == 0) continue;
+    const auto [least, greatest] = std::minmax_element(m.offsets().begin(), m.offsets().end(),
+                                                       [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+    most = std::max(most, ((*greatest)[axis] - (*least)[axis]) / period[axis]);
+  }
+  return most;
+}
+
+// Who lags behind, as seen from the middle of the largest component.
+void measure_tail(const Moment& all, const Moment& main, F& f) {
+  f.tail = f.straying = kNaN;
+  if (all.size() == 0) return;
+  std::vector<double> distance;
+  double squares = 0, far = 0;
+  for (const Eigen::Vector3d& offset : all.offsets()) {
+    distance.push_back(wrapped(offset - (main.centre() - all.centre()), all.options().period).norm());
+    squares += distance.back() * distance.back();
+  }
+  const double middle = median(distance), count = static_cast<double>(distance.size());
+  for (const double d : distance) far += d > kComet * middle ? 1 : 0;
+  if (middle > 0) f.tail = std::sqrt(squares / count) / middle;
+  f.straying = far / count;
 }
 
 }  // namespace
@@ -142,6 +189,9 @@ void StateWatch::add(const Moment& all) {
   f.extent = of::extent(m);
   f.median_radius = of::median_radius(m);
   f.turning = of::angular_speed(m);
+  f.span = span_of(m);
+  measure_tail(all, m, f);
+  if (frame_.empty() && course_.windows.empty()) history_.dense = of::extent(all) < kWasDense * all.link();
   seen_.push_back(f);
   speed_.push_back(of::speed(m));
   turn_.push_back(turn_of(m));
@@ -165,7 +215,7 @@ void StateWatch::close() {
   for (double StateFeatures::*part :
        {&StateFeatures::link, &StateFeatures::parts, &StateFeatures::largest, &StateFeatures::polarisation, &StateFeatures::net_rotation,
         &StateFeatures::rotation, &StateFeatures::axis_ratio, &StateFeatures::core, &StateFeatures::halves, &StateFeatures::extent,
-        &StateFeatures::median_radius, &StateFeatures::turning})
+        &StateFeatures::median_radius, &StateFeatures::turning, &StateFeatures::span, &StateFeatures::tail, &StateFeatures::straying})
     f.*part = mean(part);
   const double speed = mean_of(speed_, [](double x) { return x; });
   Eigen::Vector3d turn;

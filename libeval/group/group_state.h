@@ -29,12 +29,16 @@ struct StateFeatures {
   double halves = 0;                     // M of the two halves along the long axis, negative in opposite senses
   double extent = 0, median_radius = 0;  // [unit]
   double turning = 0;                    // angular speed about the centre times median radius over mean speed
+  double span = 0;                       // how far it reaches across a periodic box, over the side; 0 in open space
+  double tail = 0;                       // rms distance of all from its middle, over the median of these distances
+  double straying = 0;                   // share of all that are farther from its middle than three times that median
 };
 
 // What went before in the same recording.
 struct StateHistory {
   bool aligned = false;  // it began with P > 0.8
   bool split = false;    // an earlier window had two parts or more
+  bool dense = false;    // it began with an rms extent of less than a third of the link distance
 };
 
 struct GroupState {

@@ -108,8 +108,9 @@ const std::vector<Planted>& planted() {
        }},
       {"compact", flock,
        [](std::uint32_t i, double t, std::uint64_t s) {
-         const Place p = disc(i, s, 2);
-         return Place{p[0] + 0.5 * t, p[1] + shake(i, t, s, 1), 0};
+         const Place p = disc(i, s, 1);  // it begins dense, and makes room
+         const double wider = 1 + std::min(1.0, t / 10);
+         return Place{wider * p[0] + 0.5 * t, wider * p[1] + shake(i, t, s, 1), 0};
        }},
       {"cohesive", flock,
        [](std::uint32_t i, double t, std::uint64_t s) {
