@@ -6,7 +6,7 @@
 namespace swarmfit {
 namespace {
 
-constexpr std::size_t kMostValues = 1'000'000;
+constexpr std::size_t kMostSteps = 1'000'000;
 
 // A value on the stack of the pickle's machine: a text, a tuple of texts, a list of tuples, or the mark.
 struct Value {
@@ -28,7 +28,7 @@ class Machine {
         if (stack_.size() != 1 || stack_[0].kind != Value::Kind::list) return std::nullopt;
         return std::move(stack_[0].list);
       }
-      if (++steps_ > kMostValues || !step(opcode)) return std::nullopt;
+      if (++steps_ > kMostSteps || !step(opcode)) return std::nullopt;
     }
     return std::nullopt;
   }
