@@ -19,7 +19,7 @@ namespace {
 
 const std::array<Command, 22> kCommands{{
     {"describe", kDescribe, "what a recording contains, and what is wrong with it", describe},
-    {"convert", kConvert, "write a recording as CSV, cleaned and with its units", convert},
+    {"convert", kConvert, "write a recording in another format, cleaned and with its units", convert},
     {"simulate", kSimulate, "trajectories from a scenario or a model", simulate},
     {"extend", kExtend, "tracks that go on past their ends, and gaps bridged, by a model", extend},
     {"augment", kAugment, "simulated agents among the recorded ones", augment},
