@@ -83,7 +83,7 @@ const std::array kStates{
     GroupState{"comet", "comet", kFlock,
                "P > 0.9, largest component ≥ 70 %, rms distance of all from its middle > 3 times the median, 5 % farther than that",
                [](const F& f, const H&) { return flies(f, kWhole) && f.tail > kComet && f.straying >= kStragglers; }},
-    GroupState{"convergence", "convergence", kFlock, "P > 0.9, largest component ≥ 95 %, two parts or more before",
+    GroupState{"convergence", "convergence", kFlock, "P > 0.9, largest component ≥ 95 %, two parts or more before, for a tenth of a window",
                [](const F& f, const H& h) { return h.split && flies(f, kTogether); }},
     GroupState{"compact", "compact", kFlock,
                "P > 0.9, largest component ≥ 95 %, rms extent < 5/6 of the link distance, having begun with < 1/3",
@@ -202,9 +202,11 @@ void StateWatch::add(const Moment& all) {
 }
 
 void StateWatch::watch_parts(std::int64_t frame, int parts) {
-  if (parts_ < 0) parts_ = candidate_ = parts;
+  if (parts_ < 0) parts_ = parts, since_ = frame;
   if (parts != candidate_) candidate_ = parts, since_ = frame;
-  if (candidate_ == parts_ || frame - since_ + 1 < std::max<std::int64_t>(1, window_ / 10)) return;
+  if (frame - since_ + 1 < std::max<std::int64_t>(1, window_ / 10)) return;
+  history_.split = history_.split || candidate_ >= 2;
+  if (candidate_ == parts_) return;
   if (parts_ > 0 && candidate_ > 0) course_.events.push_back({since_, parts_, candidate_});
   parts_ = candidate_;
 }
@@ -226,7 +228,6 @@ void StateWatch::close() {
   f.parts = std::round(f.parts);
   if (course_.windows.empty()) history_.aligned = mean_of(early_, [](double x) { return x; }) > kWasAligned;
   course_.windows.push_back({frame_.front(), frame_.back(), &state_of(f, history_, words_), f});
-  history_.split = history_.split || f.parts >= 2;
   seen_.clear(), speed_.clear(), turn_.clear(), frame_.clear();
 }
 
