@@ -127,8 +127,8 @@ double span_of(const Moment& m) {
   const Eigen::Array3d& period = m.options().period;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     if (!(period[axis] > 0) || m.size() == 0) continue;
-    const auto [least, greatest] = std::minmax_element(m.offsets().begin(), m.offsets().end(),
-                                                       [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+    const auto [least, greatest] =
+        std::minmax_element(m.offsets().begin(), m.offsets().end(), [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
     most = std::max(most, ((*greatest)[axis] - (*least)[axis]) / period[axis]);
   }
   return most;

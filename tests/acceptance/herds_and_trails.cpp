@@ -48,10 +48,10 @@ struct Herd {
 };
 
 constexpr std::array kHerds{
-    Herd{20, 5, 0.3, "0, –, 0.93"},     Herd{20, 10, 0.3, "26, 822, 0.55"},   Herd{20, 19, 0.3, "40, 434, 0.23"},
-    Herd{50, 12, 0.3, "0, –, 0.78"},    Herd{50, 25, 0.3, "36, 439, 0.30"},   Herd{50, 49, 0.3, "40, 488, 0.19"},
-    Herd{100, 25, 0.3, "0, –, 0.45"},   Herd{100, 50, 0.3, "39, 424, 0.21"},  Herd{100, 99, 0.3, "40, 427, 0.13"},
-    Herd{20, 19, 0, "40, 427, –"},      Herd{50, 25, 0, "37, 439, –"},
+    Herd{20, 5, 0.3, "0, –, 0.93"},   Herd{20, 10, 0.3, "26, 822, 0.55"},  Herd{20, 19, 0.3, "40, 434, 0.23"},
+    Herd{50, 12, 0.3, "0, –, 0.78"},  Herd{50, 25, 0.3, "36, 439, 0.30"},  Herd{50, 49, 0.3, "40, 488, 0.19"},
+    Herd{100, 25, 0.3, "0, –, 0.45"}, Herd{100, 50, 0.3, "39, 424, 0.21"}, Herd{100, 99, 0.3, "40, 427, 0.13"},
+    Herd{20, 19, 0, "40, 427, –"},    Herd{50, 25, 0, "37, 439, –"},
 };
 
 constexpr std::int64_t kLongest = 8000, kStretch = 200;  // steps
@@ -106,7 +106,9 @@ Herding drive(const Herd& herd, std::uint64_t seed) {
 }
 
 void herds(int runs) {
-  fmt::print("| N | n | near_speed | home | median steps | collecting | side to side [m] | period [steps] | least autocorrelation | independent |\n");
+  fmt::print(
+      "| N | n | near_speed | home | median steps | collecting | side to side [m] | period [steps] | least autocorrelation | independent "
+      "|\n");
   fmt::print("|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Herd& herd : kHerds) {
     Spread time, collecting, side, period, least;
@@ -211,9 +213,10 @@ void row(const char* what, const std::array<double, n>& part, const std::array<d
 void narrow(int runs) {
   Flow flow;
   for (int k = 1; k <= runs; ++k) flow.add(crossings("narrow", {}, static_cast<std::uint64_t>(k)));
-  fmt::print("narrow bridge, {} runs: crossings {:.0f} ± {:.0f} (independent: 5348 ± 75), mean cluster {:.2f} ± {:.2f} (4.26 ± 0.12), "
-             "largest {:.0f} ± {:.0f} (37 ± 7)\n",
-             runs, flow.crossed.mean(), flow.crossed.sd(), flow.size.mean(), flow.size.sd(), flow.largest.mean(), flow.largest.sd());
+  fmt::print(
+      "narrow bridge, {} runs: crossings {:.0f} ± {:.0f} (independent: 5348 ± 75), mean cluster {:.2f} ± {:.2f} (4.26 ± 0.12), "
+      "largest {:.0f} ± {:.0f} (37 ± 7)\n",
+      runs, flow.crossed.mean(), flow.crossed.sd(), flow.size.mean(), flow.size.sd(), flow.largest.mean(), flow.largest.sd());
   std::array<double, Flow::kSizes> all{};
   double sum = 0;
   for (const double c : flow.count) sum += c;
@@ -233,7 +236,8 @@ void wide(const std::string& bridge, int runs) {
     for (const Crossing& c : seen) total[c.kind] += 1, central[c.kind] += c.y >= 1.25 && c.y <= 3.75;
     for (std::size_t kind = 0; kind < 3; ++kind) inside[kind].add(central[kind] / total[kind]);
   }
-  fmt::print("| {} | {:.0f} ± {:.0f} | {:.2f} ± {:.2f} |", bridge, flow.crossed.mean(), flow.crossed.sd(), flow.size.mean(), flow.size.sd());
+  fmt::print("| {} | {:.0f} ± {:.0f} | {:.2f} ± {:.2f} |", bridge, flow.crossed.mean(), flow.crossed.sd(), flow.size.mean(),
+             flow.size.sd());
   for (const Spread& s : inside) fmt::print(" {:.3f} ± {:.3f} |", s.mean(), s.sd());
   fmt::print("\n");
 }
