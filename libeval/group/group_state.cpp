@@ -82,7 +82,7 @@ const std::array kStates{
     GroupState{"comet", "comet", kFlock,
                "P > 0.9, largest component ≥ 70 %, rms distance of all from its middle > 3 times the median, 5 % farther than that",
                [](const F& f, const H&) { return flies(f, kWhole) && f.tail > kComet && f.straying >= kStragglers; }},
-    GroupState{"convergence", "convergence", kFlock, "P > 0.9, largest component ≥ 95 %, two subgroups or more before",
+    GroupState{"convergence", "convergence", kFlock, "P > 0.9, largest component ≥ 95 %, two subgroups or more before, for a tenth of a window",
                [](const F& f, const H& h) { return h.split && flies(f, kTogether); }},
     GroupState{"compact", "compact", kFlock,
                "P > 0.9, largest component ≥ 95 %, rms extent < 5/6 of the link distance, having begun with < 1/3",
@@ -126,8 +126,8 @@ double span_of(const Moment& m) {
   const Eigen::Array3d& period = m.options().period;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     if (!(period[axis] > 0) || m.size() == 0) continue;
-    const auto [least, greatest] = std::minmax_element(m.offsets().begin(), m.offsets().end(),
-                                                       [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+    const auto [least, greatest] =
+        std::minmax_element(m.offsets().begin(), m.offsets().end(), [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
     most = std::max(most, ((*greatest)[axis] - (*least)[axis]) / period[axis]);
   }
   return most;
@@ -201,9 +201,11 @@ void StateWatch::add(const Moment& all) {
 }
 
 void StateWatch::watch_parts(std::int64_t frame, int parts) {
-  if (parts_ < 0) parts_ = candidate_ = parts;
+  if (parts_ < 0) parts_ = parts, since_ = frame;
   if (parts != candidate_) candidate_ = parts, since_ = frame;
-  if (candidate_ == parts_ || frame - since_ + 1 < std::max<std::int64_t>(1, window_ / 10)) return;
+  if (frame - since_ + 1 < std::max<std::int64_t>(1, window_ / 10)) return;
+  history_.split = history_.split || candidate_ >= 2;
+  if (candidate_ == parts_) return;
   if (parts_ > 0 && candidate_ > 0) course_.events.push_back({since_, parts_, candidate_});
   parts_ = candidate_;
 }
@@ -225,7 +227,6 @@ void StateWatch::close() {
   f.parts = std::round(f.parts);
   if (course_.windows.empty()) history_.aligned = mean_of(early_, [](double x) { return x; }) > kWasAligned;
   course_.windows.push_back({frame_.front(), frame_.back(), &state_of(f, history_, words_), f});
-  history_.split = history_.split || f.parts >= 2;
   seen_.clear(), speed_.clear(), turn_.clear(), frame_.clear();
 }
 

@@ -37,7 +37,7 @@ struct StateFeatures {
 // What went before in the same recording.
 struct StateHistory {
   bool aligned = false;  // it began with P > 0.8
-  bool split = false;    // an earlier window had two parts or more
+  bool split = false;    // it had two parts or more for a tenth of a window
   bool dense = false;    // it began with an rms extent of less than a third of the link distance
 };
 

@@ -110,6 +110,13 @@ TEST_F(Program, SweepsAGridWithTheSameBitsForAnyThreadsAndParts) {
   EXPECT_EQ(files_in(dir_ / "merged"), files);
 }
 
+// A scenario keeps its dimensions and frames per second.
+TEST_F(Program, SweepsAScenario) {
+  const Result r = run("sweep mill --axis c=0.5,1 --frames 5 --warm-up 5 --seeds 1 --quantities speed -q --json --out mills");
+  ASSERT_EQ(r.code, 0) << r.err;
+  for (const auto& cell : nlohmann::json::parse(r.out)["cells"]) EXPECT_NEAR(cell["quantities"]["speed"]["mean"].get<double>(), 0.5, 1e-9);
+}
+
 // Order falls with noise: without any 1, with all of it that of random headings.
 TEST_F(Program, SweptNoiseTakesOrderAway) {
   const Result r =

@@ -182,6 +182,64 @@ TEST(GroupState, TheSameInSpaceAndAnyUnit) {
   EXPECT_EQ(spells(course).size(), 1U);
 }
 
+const GroupState& state_of_plant(const Plant& place, StateWords words, double side = 0) {
+  const Tracks tracks = tracks_of_plant(place, 3);
+  MomentOptions options = moment_options(tracks);
+  options.link = kLink;
+  if (side > 0) options.period = {side, side, 0};
+  return *state_course(tracks, options, words, 30).windows.back().state;
+}
+
+// What fills a periodic box is no group, although everybody is linked.
+TEST(GroupState, AGasInAPeriodicBoxIsNoSwarm) {
+  const Plant gas = [](std::uint32_t i, double t, std::uint64_t s) {
+    const double phi = 2 * kPi * test::uniform(s, 2, i, 0);
+    return Place{10 * test::uniform(s, 0, i, 0) + 0.02 * t * std::cos(phi), 10 * test::uniform(s, 0, i, 1) + 0.02 * t * std::sin(phi), 0};
+  };
+  EXPECT_EQ(state_of_plant(gas, StateWords::group, 10).key, "disordered");
+  EXPECT_EQ(state_of_plant(gas, StateWords::group).key, "swarm");
+}
+
+// Everybody crosses the middle and comes back: an empty core at every moment, and no rotation.
+TEST(GroupState, WhoMovesInAndOutIsNoMill) {
+  const Plant pulse = [](std::uint32_t i, double t, std::uint64_t s) {
+    const double phi = 2 * kPi * test::uniform(s, 0, i / 2, 0) + kPi * (i % 2), r = static_cast<int>(t) % 2 == 0 ? 1.2 : -0.8;
+    return Place{r * std::cos(phi), r * std::sin(phi), 0};
+  };
+  EXPECT_EQ(state_of_plant(pulse, StateWords::group).key, "swarm");
+}
+
+// A belt: to the one end on this side, and back on the other. Its axis does not turn.
+TEST(GroupState, AChainThatRunsToAndFroRotates) {
+  const Plant belt = [](std::uint32_t i, double t, std::uint64_t s) {
+    const double round = std::fmod(40 * test::uniform(s, 0, i, 0) + 0.5 * t, 40);
+    return Place{round < 20 ? round : 40 - round, (round < 20 ? 0.2 : -0.2) + shake(i, t, s, 1), 0};
+  };
+  EXPECT_EQ(state_of_plant(belt, StateWords::group).key, "rotating_chain");
+}
+
+// A core, and stranded individuals far behind: more than one in twenty are a tail, fewer have been lost.
+TEST(GroupState, StrandedIndividualsAreACometsTail) {
+  const auto stranded = [](std::uint32_t many) {
+    return [many](std::uint32_t i, double t, std::uint64_t s) {
+      const Place p = disc(i, s, 4);
+      return Place{(i < kN - many ? p[0] : -40.0 * (kN - i)) + 0.5 * t, p[1] + shake(i, t, s, 1), 0};
+    };
+  };
+  EXPECT_EQ(state_of_plant(stranded(6), StateWords::flock).key, "comet");
+  EXPECT_EQ(state_of_plant(stranded(2), StateWords::flock).key, "cohesive");
+}
+
+// Two parts for less than half of the first window are parts, too.
+TEST(GroupState, AShortPartingIsRemembered) {
+  const Plant meet = [](std::uint32_t i, double t, std::uint64_t s) {
+    const Place p = disc(i, s, 2);
+    const double apart = t < 12 ? 12 - t : 0;
+    return Place{p[0] + 2 * t, p[1] + (i % 2 == 0 ? apart : -apart) + shake(i, t, s, 1), 0};
+  };
+  EXPECT_EQ(state_of_plant(meet, StateWords::flock).key, "convergence");
+}
+
 // Two halves that part at 40 s and meet again from 80 s on: one fission, one fusion, where links of 3 break and form.
 TEST(GroupState, FissionAndFusionAreEvents) {
   const Tracks tracks = tracks_of_plant(
