@@ -288,7 +288,7 @@ FASTTRACK_DB = f"create table tracking ({', '.join(n + ' real' for n in FASTTRAC
                "".join(f"insert into tracking values ({', '.join(map(str, row))});" for row in FASTTRACK_ROWS)
 
 MOTIVE = text("Format Version,1.23,Take Name,one,Capture Frame Rate,100.000000,Export Frame Rate,100.000000,Rotation Type,Quaternion,Length Units,Meters", "",
-              ",,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body", ",,a,a,a,a,a,a,a", ',,"0","0","0","0","0","0","0"',
+              ",Type,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body", ",Name,a,a,a,a,a,a,a", ',ID,"0","0","0","0","0","0","0"',
               ",,Rotation,Rotation,Rotation,Rotation,Position,Position,Position", "Frame,Time,X,Y,Z,W,X,Y,Z", *[f"{f},{f / 100},0,0,0,1,{f},1,2" for f in range(4)])
 
 
