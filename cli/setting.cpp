@@ -129,7 +129,7 @@ namespace {
 
 // A shell makes many words of goats/*.csv.
 void gather_files(Arguments& a, bool several) {
-  if (a.recordings.size() < 2 || a.command == "evaluate") return;
+  if (a.recordings.size() < 2) return;
   if (a.read.join) {
     a.read.joined = std::move(a.recordings);
     a.recordings = {common_pattern(a.read.joined)};
