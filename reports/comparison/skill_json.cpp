@@ -11,13 +11,7 @@ namespace swarmfit {
 namespace {
 
 using json_parts::Json;
-
-template <class T>
-Json per_column(const Comparison& c, const PerColumn<T>& values) {
-  Json out = Json::object();
-  for (std::size_t j = 0; j < c.recording.columns.size(); ++j) out[c.recording.columns[j].key()] = values[j];
-  return out;
-}
+using json_parts::per_column;
 
 Json observables(const PanelFacts& panel, const std::vector<Estimate>& values) {
   Json out = Json::object();
@@ -31,7 +25,7 @@ Json curve(const std::vector<Estimate>& values) {
   return {{"value", std::move(value)}, {"se", std::move(se)}};
 }
 
-const char* name(SkillNull null) { return null == SkillNull::steps ? "steps" : null == SkillNull::places ? "places" : nullptr; }
+const char* null_name(SkillNull null) { return null == SkillNull::steps ? "steps" : null == SkillNull::places ? "places" : nullptr; }
 
 Json refuted_by(const ModelFit& r, const std::string& length_unit) {
   Json out = Json::array();
@@ -50,7 +44,7 @@ Json leave_one_out(const Comparison& c) {
     Json ranking = Json::array();
     for (const auto& [model, score] : w.ranking) ranking.push_back({{"name", model}, {"score", score}});
     out.push_back({{"without", w.model},
-                   {"weights", per_column(c, w.weights)},
+                   {"weights", per_column(c.recording.columns, w.weights)},
                    {"ranking", std::move(ranking)},
                    {"reordered", w.reordered},
                    {"winner_changed", w.winner_changed}});
@@ -62,16 +56,16 @@ Json leave_one_out(const Comparison& c) {
 
 void add_skill(Json& top, const Comparison& c) {
   const SkillFacts& s = c.recording.skill;
-  top["floor"] = per_column(c, s.floor);
-  top["floor_sd"] = per_column(c, s.floor_sd);
-  top["null"] = per_column(c, s.null);
-  top["places"] = per_column(c, s.places);
-  top["informative"] = per_column(c, s.informative);
+  top["floor"] = per_column(c.recording.columns, s.floor);
+  top["floor_sd"] = per_column(c.recording.columns, s.floor_sd);
+  top["null"] = per_column(c.recording.columns, s.null);
+  top["places"] = per_column(c.recording.columns, s.places);
+  top["informative"] = per_column(c.recording.columns, s.informative);
   top["skill_scale"] = {{"floor", s.mean_floor},
                         {"floor_sd", s.mean_floor_sd},
                         {"null", s.mean_null},
-                        {"null_of", name(s.null_of) ? Json(name(s.null_of)) : Json()},
-                        {"used", per_column(c, s.used)}};
+                        {"null_of", null_name(s.null_of) ? Json(null_name(s.null_of)) : Json()},
+                        {"used", per_column(c.recording.columns, s.used)}};
   top["random_walk"] = {{"skill", s.walker.value}, {"skill_se", s.walker.se}, {"suffices", c.ranking.walk_suffices}};
   top["memory"] = {{"p", s.memory_p}, {"surrogates", s.surrogates}};
   top["interaction"] = {{"p", {{"d", s.interaction_p[0]}, {"eta", s.interaction_p[1]}}}, {"surrogates", s.surrogates}};
