@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libtrack/nan.h"
+
 namespace swarmfit {
 namespace {
 
@@ -110,7 +112,7 @@ void eliminate(const ScoreDraws& all, const Models& models, std::vector<double>&
 }  // namespace
 
 std::vector<double> confidence_set_p(const ScoreDraws& all) {
-  std::vector<double> p(static_cast<std::size_t>(all.scores.size()), NAN);
+  std::vector<double> p(static_cast<std::size_t>(all.scores.size()), kNaN);
   eliminate(all, scored(all), p);
   return p;
 }
@@ -119,7 +121,7 @@ std::vector<int> confidence_groups(const ScoreDraws& all, double alpha) {
   std::vector<int> group(static_cast<std::size_t>(all.scores.size()), 0);
   Models rest = scored(all);
   for (int g = 1; !rest.empty(); ++g) {
-    std::vector<double> p(group.size(), NAN);
+    std::vector<double> p(group.size(), kNaN);
     eliminate(all, rest, p);
     Models others;
     for (const Index m : rest) {

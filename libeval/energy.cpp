@@ -210,7 +210,7 @@ double Moments::sd() const { return count == 0 ? kNaN : std::sqrt(m2 / static_ca
 
 double Moments::standard_error() const {
   const auto n = static_cast<double>(count);
-  return n > 1 ? std::sqrt(m2 / (n - 1) / n) : NAN;
+  return n > 1 ? std::sqrt(m2 / (n - 1) / n) : kNaN;
 }
 
 Target::Target(const MetricSamples& recording, const Binning& binning)

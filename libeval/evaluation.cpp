@@ -9,6 +9,7 @@
 #include "libeval/order.h"
 #include "libeval/rounding.h"
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/text_scan.h"
 
 namespace swarmfit {
@@ -39,7 +40,7 @@ double energy_field(Fields& fields, const std::string& name, long line) {
   std::string scratch;
   const std::string text(fields.text(scratch));
   if (!text.empty()) throw InputError(at(name, line, column, fmt::format("'{}' is not a number; expected an energy, or nothing", text)));
-  return NAN;
+  return kNaN;
 }
 
 std::vector<std::string> header(std::string_view line) {
@@ -91,7 +92,7 @@ WeighedTable weigh(const std::string& name, std::string_view csv) {
     table.models.emplace_back(fields.text(scratch));
     std::size_t count = 0;
     for (; !fields.done(); ++count) values.push_back(energy_field(fields, name, lines.number()));
-    if (count < table.metrics.size() && !line.empty() && line.back() == ',') values.push_back(NAN), ++count;
+    if (count < table.metrics.size() && !line.empty() && line.back() == ',') values.push_back(kNaN), ++count;
     if (count != table.metrics.size())
       throw InputError(at(name, lines.number(), 1, fmt::format("{} energies; expected {} as in the header", count, table.metrics.size())));
   }

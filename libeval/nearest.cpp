@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "libeval/nearest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
+#include <numeric>
+#include <tuple>
 
 #include "libeval/metrics.h"
 #include "libtrack/hot.h"
@@ -83,19 +86,55 @@ class NearestOther {
   Index& who_;
 };
 
-void by_tree(const Cloud& cloud, double* squared, Index* who) {
+// Ends at the first that shares its place with another, and says so: among many in one place a tree is slower than all pairs.
+bool by_tree(const Cloud& cloud, double* squared, Index* who) {
   using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::size_t>;
   const Tree tree(3, cloud);
   for (Index i = 0; i < cloud.count; ++i) {
     const double point[3] = {cloud.x[i], cloud.y[i], cloud.z[i]};
     NearestOther result(i, squared[i], who[i]);
     tree.findNeighbors(result, point, nanoflann::SearchParams());
+    if (squared[i] == 0) return false;
+  }
+  return true;
+}
+
+// The same with the individuals of one place together: they have each other, and the others meet the lowest of them.
+void by_places(const Cloud& cloud, double* squared, Index* who) {
+  const auto place = [&](Index i) { return std::tuple(cloud.x[i], cloud.y[i], cloud.z[i]); };
+  std::vector<Index> order(static_cast<std::size_t>(cloud.count));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return std::tuple(place(a), a) < std::tuple(place(b), b); });
+  std::fill_n(squared, cloud.count, kInfinity);
+  std::fill_n(who, cloud.count, Index{-1});
+  std::vector<Index> lowest;
+  for (std::size_t k = 0, end = 0; k < order.size(); k = end) {
+    while (end < order.size() && place(order[end]) == place(order[k])) ++end;
+    lowest.push_back(order[k]);
+    for (std::size_t m = k; m < end && end - k > 1; ++m) squared[order[m]] = 0, who[order[m]] = order[m == k ? k + 1 : k];
+  }
+  if (static_cast<Index>(lowest.size()) == cloud.count) return all_pairs(cloud, squared, who);  // apart by so little that its square is 0
+  std::sort(lowest.begin(), lowest.end());
+  Rows apart(static_cast<Index>(lowest.size()), 3);
+  for (Index i = 0; i < apart.rows(); ++i) {
+    const Index row = lowest[static_cast<std::size_t>(i)];
+    apart.row(i) << cloud.x[row], cloud.y[row], cloud.z[row];
+  }
+  const NearestOthers others = nearest_others(apart);
+  for (std::size_t i = 0; i < lowest.size(); ++i) {
+    const Index row = lowest[i];
+    if (who[row] >= 0 || others.row[i] < 0) continue;
+    who[row] = lowest[static_cast<std::size_t>(others.row[i])];
+    squared[row] = cloud.squared_distance(row, who[row]);
   }
 }
 
 // Of the individuals of a cloud; their rows are counted from `first`.
 void nearest_in(const Cloud& cloud, bool tree, Index first, double* distance, Index* who) {
-  tree ? by_tree(cloud, distance, who) : all_pairs(cloud, distance, who);
+  if (!tree)
+    all_pairs(cloud, distance, who);
+  else if (!by_tree(cloud, distance, who))
+    by_places(cloud, distance, who);
   for (Index i = 0; i < cloud.count; ++i) {
     distance[i] = std::sqrt(distance[i]);
     if (who[i] >= 0) who[i] += first;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "libtrack/kinematics.h"
+#include "libtrack/nan.h"
 #include "libtrack/quantile.h"
 
 namespace swarmfit {
@@ -69,14 +70,14 @@ double autocovariance(const std::vector<std::vector<Index>>& runs, const Rows& v
       const double product = (v.row(rows[k]) * v.row(rows[k + lag])).sum();
       if (std::isfinite(product)) sum += product, ++count;
     }
-  return count > 0 ? sum / count : NAN;
+  return count > 0 ? sum / count : kNaN;
 }
 
 }  // namespace
 
 double distance_to_nearest(const Tracks& tracks, const Tracks& library, std::int64_t frames) {
   const auto paths = paths_of(tracks, frames, kPaths), known = paths_of(library, frames, kLibrary);
-  if (paths.empty() || known.empty()) return NAN;
+  if (paths.empty() || known.empty()) return kNaN;
   std::vector<double> distances;
   for (const Path& path : paths) distances.push_back(nearest(path, known));
   return median(std::move(distances));

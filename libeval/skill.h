@@ -2,9 +2,8 @@
 // How far is a set of tracks from the recording, on a scale that the recording itself sets?
 #pragma once
 
-#include <cmath>
-
 #include "libeval/energy.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
@@ -52,7 +51,7 @@ class HalfDistance {
 // Means over the columns with `used`; `slope` turns the standard error of D into that of the skill. NaN unless the mean null exceeds the
 // mean floor.
 struct SkillScale {
-  double floor = NAN, null = NAN;  // means over the used columns
+  double floor = kNaN, null = kNaN;  // means over the used columns
   double skill(double distance) const;
   double slope() const;  // d skill / d D, as a positive number
 };

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "libtrack/distributions.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -19,7 +20,7 @@ double mean_of_defined(const Values& values, bool (*defined)(typename Values::va
   double sum = 0, n = 0;
   for (const auto value : values)
     if (defined(value)) sum += static_cast<double>(value), ++n;
-  return n > 0 ? sum / n : NAN;
+  return n > 0 ? sum / n : kNaN;
 }
 
 ModelAcross model_across(std::span<const Comparison> comparisons, const std::string& name) {
@@ -47,7 +48,7 @@ std::vector<Column> all_columns(std::span<const Comparison> comparisons) {
 }
 
 PerColumn<double> weights_of(const Comparison& c, const std::vector<Column>& columns) {
-  PerColumn<double> out(columns.size(), NAN);
+  PerColumn<double> out(columns.size(), kNaN);
   for (std::size_t j = 0; j < columns.size(); ++j) {
     const auto at = std::find(c.recording.columns.begin(), c.recording.columns.end(), columns[j]);
     if (at != c.recording.columns.end()) out[j] = c.ranking.weights[static_cast<std::size_t>(at - c.recording.columns.begin())];
@@ -56,7 +57,7 @@ PerColumn<double> weights_of(const Comparison& c, const std::vector<Column>& col
 }
 
 void summarise_weights(Across& a) {
-  a.mean_weight = a.smallest_weight = a.largest_weight = PerColumn<double>(a.columns.size(), NAN);
+  a.mean_weight = a.smallest_weight = a.largest_weight = PerColumn<double>(a.columns.size(), kNaN);
   for (std::size_t j = 0; j < a.columns.size(); ++j) {
     std::vector<double> w;
     for (const auto& weights : a.weights)

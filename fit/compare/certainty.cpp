@@ -9,6 +9,7 @@
 #include "fit/model_fit/race.h"
 #include "libeval/energy_score.h"
 #include "libeval/false_discovery.h"
+#include "libtrack/nan.h"
 #include "libtrack/quantile.h"
 
 namespace swarmfit {
@@ -37,10 +38,10 @@ class Against {
     for (std::size_t i = 1; i <= pooled_; ++i)
       if (const SingleRun& run = bootstrap_[(number + i) % bootstrap_.size()]; !run.failed) runs.push_back(&run);
     const double failed = 1 - static_cast<double>(runs.size()) / static_cast<double>(pooled_);
-    Energies out = runs.empty() ? Energies(columns, NAN) : target_.binning().pooled ? from_pool(recording, runs) : scored(recording, runs);
+    Energies out = runs.empty() ? Energies(columns, kNaN) : target_.binning().pooled ? from_pool(recording, runs) : scored(recording, runs);
     for (std::size_t j = 0; j < columns; ++j) {
       const double energy = std::isfinite(out[j]) ? out[j] : target_.worst();
-      out[j] = target_.defined(j) ? (1 - failed) * energy + failed * target_.worst() : NAN;
+      out[j] = target_.defined(j) ? (1 - failed) * energy + failed * target_.worst() : kNaN;
     }
     return out;
   }
@@ -88,7 +89,7 @@ Own own_energies(const Bootstrap& bootstrap, const Target& target, int pooled) {
 }
 
 Energies mean(const Own& all, std::size_t columns) {
-  Energies out(columns, NAN);
+  Energies out(columns, kNaN);
   for (std::size_t j = 0; !all.empty() && j < columns; ++j) {
     Moments moments;
     for (const auto& e : all)
@@ -128,7 +129,7 @@ Distances distances(std::span<const Trial> trials, std::size_t model, int pooled
     for (std::size_t k = 0; k < own.size(); ++k) {
       const double missed = std::abs(trial.bootstraps.scatter[model] *
                                      trial.bootstraps.root.normal2(Stream::bootstrap, k, static_cast<std::uint32_t>(model))[0]);
-      out.own[k] += share * (own[k] ? cost_of(*own[k], trial.weighting) + missed : NAN);
+      out.own[k] += share * (own[k] ? cost_of(*own[k], trial.weighting) + missed : kNaN);
     }
   }
   return out;
@@ -136,7 +137,7 @@ Distances distances(std::span<const Trial> trials, std::size_t model, int pooled
 
 double goodness(const Distances& of) {
   const auto made = std::count_if(of.own.begin(), of.own.end(), [](double d) { return !std::isnan(d); });
-  if (made == 0 || !std::isfinite(of.observed)) return NAN;
+  if (made == 0 || !std::isfinite(of.observed)) return kNaN;
   const auto beyond = std::count_if(of.own.begin(), of.own.end(), [&](double d) { return d >= of.observed; });
   return static_cast<double>(1 + beyond) / static_cast<double>(1 + made);
 }
@@ -164,7 +165,7 @@ std::pair<double, double> interval(double value, const Eigen::VectorXd& draws) {
   std::vector<double> finite;
   for (const double d : draws)
     if (std::isfinite(d)) finite.push_back(d);
-  if (finite.size() < 2) return {NAN, NAN};
+  if (finite.size() < 2) return {kNaN, kNaN};
   Moments moments;
   for (const double d : finite) moments.add(d);
   const double above = quantile(finite, 1 - kAlpha / 2) - moments.mean, below = quantile(finite, kAlpha / 2) - moments.mean;
@@ -198,7 +199,7 @@ std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& sel
 ScoreDraws score_draws(const Trial& trial, int pooled) {
   const Bootstrap& recordings = trial.bootstraps.recordings;
   const auto rows = static_cast<Eigen::Index>(recordings.size()), columns = static_cast<Eigen::Index>(trial.models.size());
-  ScoreDraws out{Eigen::VectorXd(columns), Eigen::MatrixXd::Constant(rows, columns, NAN)};
+  ScoreDraws out{Eigen::VectorXd(columns), Eigen::MatrixXd::Constant(rows, columns, kNaN)};
   for (Eigen::Index m = 0; m < columns; ++m) {
     const auto model = static_cast<std::size_t>(m);
     const Against own(trial.bootstraps.of[model], *trial.target, pooled);
@@ -234,7 +235,7 @@ Band band_of(const Bootstrap& bootstrap, const Target& target) {
 
 std::vector<Certainty> certainties(std::span<const Trial> trials, int pooled) {
   std::vector<Certainty> out(trials.front().models.size());
-  for (Certainty& c : out) c.own = Energies(trials.front().target->columns().size(), NAN);
+  for (Certainty& c : out) c.own = Energies(trials.front().target->columns().size(), kNaN);
   for (const Trial& trial : trials)
     if (!long_enough(trial.bootstraps.of, pooled)) return out;
   const ScoreDraws all = mean_draws(trials, pooled);

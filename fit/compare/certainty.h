@@ -10,6 +10,7 @@
 #include "fit/results/comparison.h"
 #include "libeval/confidence_set.h"
 #include "libeval/score.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
@@ -24,7 +25,7 @@ std::vector<double> search_scatter(const std::vector<std::vector<Energies>>& sel
 
 // A model's score, and the raw energies behind it.
 struct Scored {
-  double score = NAN;
+  double score = kNaN;
   Energies raw{};
 };
 

@@ -11,6 +11,7 @@
 #include "libeval/independent.h"
 #include "libeval/lags.h"
 #include "libeval/skill.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -223,8 +224,8 @@ std::vector<int> lags_for(const Conditions& c, const CompareOptions& options) {
 
 std::vector<LagFacts> lag_facts(const RecordingFacts& r, const PerColumn<double>& weights) {
   std::vector<LagFacts> out;
-  for (const int lag : lags_of(r.columns)) out.push_back({lag, 0, 0, NAN});
-  out.push_back({0, 0, 0, NAN});
+  for (const int lag : lags_of(r.columns)) out.push_back({lag, 0, 0, kNaN});
+  out.push_back({0, 0, 0, kNaN});
   for (std::size_t j = 0; j < r.columns.size(); ++j) {
     const int lag = r.columns[j].motion() ? r.columns[j].lag : 0;
     LagFacts& of = *std::find_if(out.begin(), out.end(), [lag](const LagFacts& f) { return f.lag == lag; });

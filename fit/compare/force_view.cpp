@@ -6,6 +6,7 @@
 
 #include "libeval/robust.h"
 #include "libeval/value_spread.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -48,7 +49,7 @@ CurvesAndErrors curves(const ForceBasis& basis, const ForceGrid& grid, const For
     return regression.refit(groups);
   };
   const ForceFit alone = regression.fit(needed), pair = with(ForceGroup::pair), alignment = with(ForceGroup::alignment);
-  const double known = alone.law.coefficients.allFinite() ? 0 : NAN;
+  const double known = alone.law.coefficients.allFinite() ? 0 : kNaN;
   CurvesAndErrors out;
   out.value.drag = along(grid.speeds, [&](double v) { return known + alone.law.drag(v); });
   out.se.drag = along(grid.speeds, [&](double v) { return known + alone.drag_se(v); });

@@ -14,6 +14,7 @@
 #include "libeval/nearness.h"
 #include "libtrack/cut.h"
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -172,7 +173,7 @@ std::uint64_t seed_of(std::uint64_t seed, std::size_t way, int search) {
 // Variance of a model's score between searches; NaN for one search.
 double variance_of_searches(const Way& way, const std::vector<Searched>& searches, std::size_t m, const Weighting& weighting,
                             std::uint64_t seed) {
-  if (searches.size() == 1) return NAN;
+  if (searches.size() == 1) return kNaN;
   Moments moments;
   for (const Searched& found : searches) moments.add(way.score(found, m, weighting, seed).score);
   return moments.sd() * moments.sd();

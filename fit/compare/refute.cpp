@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "libtrack/distributions.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -23,14 +24,14 @@ bool is_fact(const PanelItem& item) {
 
 // Of single runs.
 struct Scatter {
-  double mean = NAN, sd = NAN, runs = 0;
+  double mean = kNaN, sd = kNaN, runs = 0;
 };
 
 Scatter scatter(const std::vector<Panel>& runs, std::vector<double> Panel::*part, std::size_t k) {
   Moments m;
   for (const Panel& p : runs) m.add((p.*part)[k]);
   const auto n = static_cast<double>(m.count);
-  return {m.count > 0 ? m.mean : NAN, m.count > 1 ? std::sqrt(m.m2 / (n - 1)) : NAN, n};
+  return {m.count > 0 ? m.mean : kNaN, m.count > 1 ? std::sqrt(m.m2 / (n - 1)) : kNaN, n};
 }
 
 // Do they differ by more than chance, and visibly?
@@ -76,7 +77,7 @@ std::string duration(double value, double error, double longest) {
 
 std::string sentence(const Refutation& f, const Comparison& r) {
   if (f.item.key == "vacf_zero") {
-    const double longest = r.recording.panel.lags.empty() ? NAN : r.recording.panel.lags.back();
+    const double longest = r.recording.panel.lags.empty() ? kNaN : r.recording.panel.lags.back();
     return fmt::format("its velocities keep their direction {} (first zero of the autocorrelation), the recording's {}",
                        duration(f.model, f.sd, longest), duration(f.recording.value, f.recording.se, longest));
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libtrack/nan.h"
+
 namespace swarmfit {
 namespace {
 
@@ -14,7 +16,7 @@ double score_with(const Energies& energies, const PerColumn<double>& weights) {
     total += weights[j];
     loss += weights[j] * energies[j];
   }
-  return total > 0 ? 1 - loss / total : NAN;
+  return total > 0 ? 1 - loss / total : kNaN;
 }
 
 // 1 is best, equal scores share a rank; 0 for an undefined score.
@@ -33,10 +35,10 @@ std::vector<Sensitivity> sensitivities(const std::vector<Energies>& models, cons
     without[j] = 0;
     doubled[j] *= 2;
     std::vector<double> scores;
-    for (const Energies& energies : models) scores.push_back(weights[j] > 0 ? score_with(energies, without) : NAN);
+    for (const Energies& energies : models) scores.push_back(weights[j] > 0 ? score_with(energies, without) : kNaN);
     for (std::size_t k = 0; k < models.size(); ++k) {
       out[k].without[j] = scores[k];
-      out[k].doubled[j] = weights[j] > 0 ? score_with(models[k], doubled) : NAN;
+      out[k].doubled[j] = weights[j] > 0 ? score_with(models[k], doubled) : kNaN;
       out[k].rank_without[j] = rank_of(scores[k], scores);
     }
   }

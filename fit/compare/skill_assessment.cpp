@@ -12,6 +12,7 @@
 #include "fit/store/checkpointed.h"
 #include "libeval/distance.h"
 #include "libeval/surrogate.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::size_t kPlaced = 10;
 Estimate estimate(const std::vector<double>& values) {
   Moments m;
   for (const double v : values) m.add(v);
-  return {m.count > 0 ? m.mean : NAN, m.standard_error()};
+  return {m.count > 0 ? m.mean : kNaN, m.standard_error()};
 }
 
 std::vector<Estimate> estimates(const std::vector<double>& value, const std::vector<double>& se) {
@@ -34,7 +35,7 @@ std::vector<Estimate> estimates(const std::vector<double>& value, const std::vec
 double column_mean(const std::vector<PerColumn<double>>& values, std::size_t j) {
   Moments m;
   for (const auto& v : values) m.add(v[j]);
-  return m.count > 0 ? m.mean : NAN;
+  return m.count > 0 ? m.mean : kNaN;
 }
 
 // Mean and standard error of each number over replicates.

@@ -5,6 +5,7 @@
 
 #include "fit/experiment/journal.h"
 #include "libeval/energy_score.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -94,7 +95,7 @@ Outcome Objective::outcome(std::span<const ScoredRun> scored) const {
   if (failed < 1) good = target_.binning().pooled ? target_.energies(out.distributions) : energy_scores(scored, out.replicates);
   for (std::size_t m = 0; m < columns; ++m) {
     const double energy = failed < 1 && std::isfinite(good[m]) ? good[m] : target_.worst();
-    out.raw[m] = target_.defined(m) ? (1 - failed) * energy + failed * target_.worst() : NAN;
+    out.raw[m] = target_.defined(m) ? (1 - failed) * energy + failed * target_.worst() : kNaN;
     out.guided[m] = out.raw[m] + kGuide * target_.worst() * ((1 - failed) * off[m] + failed * kMostMisplaced);
   }
   return out;

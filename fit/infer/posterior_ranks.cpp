@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libtrack/nan.h"
+
 namespace swarmfit {
 namespace {
 
@@ -14,7 +16,7 @@ double share(const WeightedSample& sample, const Counts& counts) {
     all += sample.weights[k];
     if (counts(sample.points[k])) some += sample.weights[k];
   }
-  return all > 0 ? some / all : NAN;
+  return all > 0 ? some / all : kNaN;
 }
 
 }  // namespace
@@ -31,7 +33,7 @@ double nearer_than(const WeightedSample& sample, const Point& reference, const P
 double distance_from_uniform(std::span<const double> values) {
   std::vector<double> sorted;
   std::copy_if(values.begin(), values.end(), std::back_inserter(sorted), [](double v) { return std::isfinite(v); });
-  if (sorted.empty()) return NAN;
+  if (sorted.empty()) return kNaN;
   std::sort(sorted.begin(), sorted.end());
   const auto n = static_cast<double>(sorted.size());
   double most = 0;

@@ -9,6 +9,7 @@
 
 #include "libswarm/centre.h"
 #include "libtrack/linear_algebra.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -236,7 +237,7 @@ std::optional<MaximumLikelihood> maximum_likelihood(const SearchSpace& space, co
   MaximumLikelihood out{most, {}, surface.error(best)};
   for (Index a = 0; a < n; ++a) {
     const std::size_t row = space.searched()[static_cast<std::size_t>(a)];
-    MostLikely one{row, values[row], NAN, NAN};
+    MostLikely one{row, values[row], kNaN, kNaN};
     const bool inside = best[a] > 2 * kCurvatureStep && best[a] < 1 - 2 * kCurvatureStep;
     if (const double variance = covariance(a, a); inside && variance > 0) {
       const auto end = [&](double sign) {

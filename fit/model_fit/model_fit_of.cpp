@@ -2,11 +2,11 @@
 #include "fit/model_fit/model_fit_of.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fit/experiment/time_step.h"
 #include "fit/model_fit/likelihood.h"
 #include "fit/model_fit/parameter_posterior.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -28,7 +28,7 @@ FinalRuns final_runs(const Outcome& outcome, const Target& target) {
     out.mean_ratio[j] = sim.moments.mean / real.mean;
     out.sd_ratio[j] = sim.moments.sd() / real.sd();
     out.outside_fraction[j] =
-        sim.histogram.samples ? static_cast<double>(sim.histogram.outside) / static_cast<double>(sim.histogram.samples) : NAN;
+        sim.histogram.samples ? static_cast<double>(sim.histogram.outside) / static_cast<double>(sim.histogram.samples) : kNaN;
   }
   out.failed_final = static_cast<double>(outcome.failed) / static_cast<double>(outcome.replicates.size());
   const auto& count = outcome.count;

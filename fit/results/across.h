@@ -2,17 +2,17 @@
 // The same models on several recordings.
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "libeval/columns.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
 // A mean over recordings and its interval, Student's t at 95 %, the recording being the replicate; undefined: NaN.
 struct MeanOverRecordings {
-  double mean = NAN, lower = NAN, upper = NAN;
+  double mean = kNaN, lower = kNaN, upper = kNaN;
 };
 
 // One model over all recordings, in the order in which they were given.

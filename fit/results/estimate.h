@@ -2,13 +2,13 @@
 // A number and how sure it is.
 #pragma once
 
-#include <cmath>
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
 // A number and its standard error; NaN: undefined.
 struct Estimate {
-  double value = NAN, se = NAN;
+  double value = kNaN, se = kNaN;
 };
 
 // Level of tests, intervals and groups.

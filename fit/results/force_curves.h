@@ -2,10 +2,11 @@
 // Forces as a regression of accelerations finds them, in a recording and in simulations alike (libswarm/force_regression.h).
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <tuple>
 #include <vector>
+
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
@@ -28,9 +29,9 @@ inline auto fields(ForceCurves& c) { return std::tie(c.drag, c.confinement, c.at
 
 struct ForceFacts {
   ForceGrid grid;
-  ForceCurves recording, se;                     // standard errors
-  std::vector<std::string> needed;               // groups of terms that the recording needs beside drag and confinement, in words
-  double attraction_p = NAN, alignment_p = NAN;  // could there be none, beside what is needed?
+  ForceCurves recording, se;                       // standard errors
+  std::vector<std::string> needed;                 // groups of terms that the recording needs beside drag and confinement, in words
+  double attraction_p = kNaN, alignment_p = kNaN;  // could there be none, beside what is needed?
 };
 
 // Of a model: median over some of its final replicates, and 1.4826 times the median distance from it.

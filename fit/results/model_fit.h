@@ -2,7 +2,6 @@
 // What a fit of one model found.
 #pragma once
 
-#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,22 +11,23 @@
 #include "libeval/energy.h"
 #include "libeval/group/pictures.h"
 #include "libeval/panel.h"
+#include "libtrack/nan.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
 
 // What the recording says about a parameter beside its best value (fit/model_fit/parameter_posterior.h), in physical units.
 struct ParameterUncertainty {
-  double median = NAN, lower = NAN, upper = NAN;  // posterior, ends of the central 95 %; NaN: not asked for, or not searched
-  double contraction = NAN;                       // 1 - variance / variance of the prior, on the axis of the search
-  std::string verdict;                            // "identified", "one-sided", "flat"; empty: as above
-  std::string partner;                            // the parameter with the strongest correlation, and that; empty: there is no other
-  double correlation = NAN;
+  double median = kNaN, lower = kNaN, upper = kNaN;  // posterior, ends of the central 95 %; NaN: not asked for, or not searched
+  double contraction = kNaN;                         // 1 - variance / variance of the prior, on the axis of the search
+  std::string verdict;                               // "identified", "one-sided", "flat"; empty: as above
+  std::string partner;                               // the parameter with the strongest correlation, and that; empty: there is no other
+  double correlation = kNaN;
 };
 
 // Its value of maximum likelihood and 95 % interval (fit/model_fit/likelihood.h), in physical units; NaN: not known.
 struct ParameterLikelihood {
-  double value = NAN, lower = NAN, upper = NAN;
+  double value = kNaN, lower = kNaN, upper = kNaN;
 };
 
 struct ParameterResult {
@@ -39,21 +39,21 @@ struct ParameterResult {
   ParameterUncertainty posterior{};
   bool interaction = false;  // of neighbours: used only with the model's interaction, or a length in neighbour distances
   ParameterLikelihood likelihood{};
-  double halves_lower = NAN, halves_upper = NAN;  // smallest and largest value of the fits to halves (fit/compare/hold_out.h)
+  double halves_lower = kNaN, halves_upper = kNaN;  // smallest and largest value of the fits to halves (fit/compare/hold_out.h)
 };
 
 // Behind the uncertainty of a model's parameters.
 struct PosteriorFacts {
   std::vector<std::vector<double>> sample{};  // searched parameters in table order, physical units
   std::vector<double> weight{};               // sums to 1
-  double effective = NAN;                     // effective sample size
+  double effective = kNaN;                    // effective sample size
   int simulations = 0, blew_up = 0;           // 0: no posterior
 };
 
 // Of a model that has a likelihood, at its maximum; NaN: not asked for, or it has none.
 struct LikelihoodFacts {
-  double log_likelihood = NAN;
-  double error = NAN;  // localisation error that it asks for, in the mean over the axes [unit]
+  double log_likelihood = kNaN;
+  double error = kNaN;  // localisation error that it asks for, in the mean over the axes [unit]
 };
 
 // One point of a convergence curve.
@@ -97,45 +97,45 @@ struct Sensitivity {
 
 // How sure the place of a model is, from recordings made by the fitted models (fit/compare/certainty.h).
 struct Certainty {
-  double gof_p = NAN;                         // share of recordings made by this fit that are as far from it as the recording is
-  double gof_q = NAN;                         // the same, adjusted for the number of models (libeval/false_discovery.h)
-  int group = 0;                              // models of one group cannot be told apart, the best are group 1; 0: cannot be told
-  double set_p = NAN;                         // p at which the model leaves the model confidence set of all
-  double lower = NAN, upper = NAN;            // of the score, 95 %, over recordings as long as this one
-  double lead_lower = NAN, lead_upper = NAN;  // of the first model's lead, 95 %
-  Energies own{};                             // mean raw energies of its own recordings: what a perfect model would have
+  double gof_p = kNaN;                          // share of recordings made by this fit that are as far from it as the recording is
+  double gof_q = kNaN;                          // the same, adjusted for the number of models (libeval/false_discovery.h)
+  int group = 0;                                // models of one group cannot be told apart, the best are group 1; 0: cannot be told
+  double set_p = kNaN;                          // p at which the model leaves the model confidence set of all
+  double lower = kNaN, upper = kNaN;            // of the score, 95 %, over recordings as long as this one
+  double lead_lower = kNaN, lead_upper = kNaN;  // of the first model's lead, 95 %
+  Energies own{};                               // mean raw energies of its own recordings: what a perfect model would have
 };
 
 // Does a model's motion repeat that of the half it was fitted to? Median distances of paths to the nearest path of that half
 // (libeval/nearness.h).
 struct Nearness {
-  double simulated = NAN, recorded = NAN;  // of the model's paths, and of the held-out ones [unit]
-  std::int64_t frames = 0;                 // length of the paths
+  double simulated = kNaN, recorded = kNaN;  // of the model's paths, and of the held-out ones [unit]
+  std::int64_t frames = 0;                   // length of the paths
   double ratio() const { return simulated / recorded; }
 };
 
 // A model on the halves of the recording that it was not fitted to (fit/compare/hold_out.h).
 struct HeldOut {
   std::vector<double> scores;    // per way of HoldOutFacts, means over its searches; their mean is Standing::score
-  double search_sd = NAN;        // how much the score scatters between searches of the same half; NaN: there was one
-  double gof_p = NAN;            // as Certainty::gof_p, of the recordings of both halves
+  double search_sd = kNaN;       // how much the score scatters between searches of the same half; NaN: there was one
+  double gof_p = kNaN;           // as Certainty::gof_p, of the recordings of both halves
   std::int64_t simulations = 0;  // runs, beside those of SearchFacts
   Nearness nearness{};           // mean of both ways
 };
 
 // The score of the fit to the whole recording, on that recording.
 struct InSample {
-  int rank = 0;           // by this score; 0 if it is undefined
-  double score = NAN;     // E, with the comparison's weights
-  double score_se = NAN;  // standard error of the mean score of single final replicates; NaN if undefined
-  int group = 0;          // as in Certainty, of this score
-  double lower = NAN, upper = NAN;
+  int rank = 0;            // by this score; 0 if it is undefined
+  double score = kNaN;     // E, with the comparison's weights
+  double score_se = kNaN;  // standard error of the mean score of single final replicates; NaN if undefined
+  int group = 0;           // as in Certainty, of this score
+  double lower = kNaN, upper = kNaN;
 };
 
 // Where a model stands among those it was compared with.
 struct Standing {
   int rank = 0;           // 1 is best; 0 if the score is undefined
-  double score = NAN;     // what decides, higher is better: of the halves that were not fitted, or else in sample
+  double score = kNaN;    // what decides, higher is better: of the halves that were not fitted, or else in sample
   Certainty certainty{};  // of that score; goodness and own energies are of the fit to the whole recording
   InSample in_sample{};
   Energies energies{};  // (raw - p1)/p2 of the fit to the whole recording, 0 where p2 = 0
@@ -146,8 +146,8 @@ struct Standing {
 // A fact that anybody sees and that a fitted model gets wrong (fit/compare/refute.h).
 struct Refutation {
   PanelItem item;
-  Estimate recording;            // NaN: it has no such number
-  double model = NAN, sd = NAN;  // over its single final replicates; NaN: none has
+  Estimate recording;              // NaN: it has no such number
+  double model = kNaN, sd = kNaN;  // over its single final replicates; NaN: none has
 };
 
 // How a model looks beside the recording, whoever else is compared.

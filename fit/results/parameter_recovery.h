@@ -2,7 +2,6 @@
 // Do intervals hold the parameters with which recordings were made?
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -10,6 +9,7 @@
 
 #include "fit/results/axis_scale.h"
 #include "fit/results/interval.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
@@ -22,7 +22,7 @@ struct ParameterCase {
   // Of the posterior under the prior that true values were drawn from: share below the true value, per parameter, and share nearer to a
   // random point than the truth is, for all together. Uniform on 0 .. 1 over recordings if posteriors are right; NaN: no sample there.
   std::vector<double> rank = {};
-  double nearer = NAN;
+  double nearer = kNaN;
 };
 inline auto fields(ParameterCase& c) {  // as bytes (fit/store/bytes.h)
   return std::tie(c.seed, c.truth, c.found, c.truth_place, c.median_place, c.width, c.rank, c.nearer);
@@ -35,7 +35,7 @@ struct ParameterCoverage {
   int recordings = 0, covered = 0;
   int identified = 0, one_sided = 0, flat = 0;  // verdicts
   double bias = 0, rmse = 0, width = 0;         // of the median: mean and root mean square of its error; mean width of the interval
-  double from_uniform = NAN;                    // largest distance of the distribution of ranks from the uniform one
+  double from_uniform = kNaN;                   // largest distance of the distribution of ranks from the uniform one
 };
 
 struct ParameterRecovery {
@@ -45,7 +45,7 @@ struct ParameterRecovery {
   int left_out = 0;  // plants outside what a fit of them would search, or that carry no fit
   // Covered of so many recordings by intervals that hold the truth 95 times in 100: central 99 % of the binomial, Bonferroni.
   int fewest = 0, most = 0;
-  double from_uniform = NAN, uniform_band = NAN;  // as of one parameter, for all together; what chance exceeds in 5 % of studies
+  double from_uniform = kNaN, uniform_band = kNaN;  // as of one parameter, for all together; what chance exceeds in 5 % of studies
 };
 
 }  // namespace swarmfit

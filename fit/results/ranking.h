@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libeval/columns.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
@@ -20,10 +21,10 @@ struct WeightStep {
 
 // What the columns of one lag contribute.
 struct LagFacts {
-  int lag = 1;               // [frames]; 0: the columns without one, d and eta
-  int scored = 0;            // columns in the score
-  double weight = 0;         // their weights, summed
-  double error_share = NAN;  // the largest of its columns; NaN unknown
+  int lag = 1;                // [frames]; 0: the columns without one, d and eta
+  int scored = 0;             // columns in the score
+  double weight = 0;          // their weights, summed
+  double error_share = kNaN;  // the largest of its columns; NaN unknown
 };
 
 // Between which bounds 95 % of the recordings made by one model lie, each bin by itself: shares of the samples. Empty: not known.

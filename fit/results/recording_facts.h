@@ -2,7 +2,6 @@
 // What a recording is, and how models were held against it: everything that is known of a comparison before any model is.
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "libeval/group/pictures.h"
 #include "libeval/panel.h"
 #include "libeval/timeline.h"
+#include "libtrack/nan.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
@@ -63,13 +63,13 @@ struct SkillFacts {
   PerColumn<bool> informative{};          // the null is farther than the floor by more than two of its standard deviations
   // Behind the skill: the columns of the score, or all that are defined if none of those is informative.
   PerColumn<bool> used{};
-  SkillNull null_of = SkillNull::none;       // which null the scale has
-  double mean_floor = NAN, mean_null = NAN;  // over the used columns; the null is the one of the scale
-  double mean_floor_sd = NAN;                // of mean_floor, over the choices of halves
-  Estimate walker;                           // skill of the random walk; 0 where it is the null, NaN where no column of motion is used
-  double memory_p = NAN;                     // over the used columns of motion: is the recording like a random walk of its own steps?
-  double interaction_p[2] = {NAN, NAN};      // of d and eta: is the recording like its own tracks shifted in time?
-  int surrogates = 0;                        // behind memory_p and interaction_p, each
+  SkillNull null_of = SkillNull::none;         // which null the scale has
+  double mean_floor = kNaN, mean_null = kNaN;  // over the used columns; the null is the one of the scale
+  double mean_floor_sd = kNaN;                 // of mean_floor, over the choices of halves
+  Estimate walker;                             // skill of the random walk; 0 where it is the null, NaN where no column of motion is used
+  double memory_p = kNaN;                      // over the used columns of motion: is the recording like a random walk of its own steps?
+  double interaction_p[2] = {kNaN, kNaN};      // of d and eta: is the recording like its own tracks shifted in time?
+  int surrogates = 0;                          // behind memory_p and interaction_p, each
 };
 
 // What was measured beside the metrics (libeval/panel.h), and what the recording says.

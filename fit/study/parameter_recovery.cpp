@@ -15,6 +15,7 @@
 #include "fit/store/checkpointed.h"
 #include "libtrack/distributions.h"
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
@@ -78,7 +79,7 @@ std::optional<ParameterCase> one_case(const RecoveryOptions& options, const Comp
     settle_steps(objective, target, {truth}, {few, more}, objective.ensemble().stable_steps());
   }
   const auto found = posterior_of(space, objective, Rng{seed}.derive(Stream::posterior, 0));
-  ParameterCase out{seed, {}, found.parameters, {}, {}, {}, {}, NAN};
+  ParameterCase out{seed, {}, found.parameters, {}, {}, {}, {}, kNaN};
   const Point place = space.point(truth);
   for (std::size_t k = 0; k < space.searched().size(); ++k) {
     const Marginal& m = found.posterior.marginals[k];

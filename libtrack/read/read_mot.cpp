@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "libtrack/error.h"
+#include "libtrack/nan.h"
 #include "libtrack/read/read_text.h"
 
 namespace swarmfit {
@@ -16,9 +17,9 @@ namespace {
 enum : std::size_t { kFrame, kId, kLeft, kTop, kWidth, kHeight, kConfidence, kAtLeast };
 
 double value_of(const std::string& text) {
-  double value = NAN;
+  double value = kNaN;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? value : NAN;
+  return error == std::errc() && end == text.data() + text.size() ? value : kNaN;
 }
 
 // Ten numbers without a header, the last three -1: nothing else looks so.
@@ -58,8 +59,8 @@ RawTable read(const Source& source, const ReadOptions& options) {
     if (table.track[row] != RawTable::no_track && table.names.names()[table.track[row]] == "-1") table.track[row] = RawTable::no_track;
     const bool sure = !options.min_confidence || !(cells.at(row, 4) < *options.min_confidence);
     if (!sure) ++unsure;
-    table[FileColumn::x].push_back(sure ? cells.at(row, 0) + cells.at(row, 2) / 2 : NAN);
-    table[FileColumn::y].push_back(sure ? cells.at(row, 1) + cells.at(row, 3) / 2 : NAN);
+    table[FileColumn::x].push_back(sure ? cells.at(row, 0) + cells.at(row, 2) / 2 : kNaN);
+    table[FileColumn::y].push_back(sure ? cells.at(row, 1) + cells.at(row, 3) / 2 : kNaN);
   }
   table.notes.emplace_back("positions are the centres of the boxes");
   if (unsure > 0)

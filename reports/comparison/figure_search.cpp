@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fit/results/axis_scale.h"
+#include "libtrack/nan.h"
 #include "reports/comparison/figure_parts.h"
 #include "reports/comparison/words.h"
 #include "reports/write/number.h"
@@ -23,7 +24,7 @@ plot::Curve best_so_far(const ModelFit& r) {
   plot::Curve out;
   for (std::size_t k = 0; k < r.search.convergence.size(); ++k) {
     const ConvergencePoint& p = r.search.convergence[k];
-    if (k > 0 && r.search.convergence[k - 1].pass != p.pass) out.push_back({static_cast<double>(p.evaluations), NAN});
+    if (k > 0 && r.search.convergence[k - 1].pass != p.pass) out.push_back({static_cast<double>(p.evaluations), kNaN});
     out.push_back({static_cast<double>(p.evaluations), p.best});
   }
   return out;
@@ -35,7 +36,7 @@ constexpr double kRow = 10, kBlockHead = 13, kBlockFoot = 30;
 
 // Between the bounds, 0 to 1, on the axis along which it was searched (docs/search.md).
 double place_of(const ParameterResult& p, double value) {
-  return p.upper > p.lower ? place_on(scale_of(p.log, p.lower), p.lower, p.upper, value) : NAN;
+  return p.upper > p.lower ? place_on(scale_of(p.log, p.lower), p.lower, p.upper, value) : kNaN;
 }
 
 std::vector<const ParameterResult*> fitted(const ModelFit& r) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "libtrack/nan.h"
 #include "reports/comparison/html_sections.h"
 #include "reports/comparison/page_sections.h"
 #include "reports/write/number.h"
@@ -31,7 +32,7 @@ HtmlTable noise_table(const Comparison& c) {
               column("memory [s]", true)});
   const auto row = [&](const Html& name, const std::vector<double>& noise) {
     std::vector<HtmlTable::Cell> cells{name_cell(name)};
-    for (std::size_t k = 0; k < 3; ++k) cells.push_back(number_cell(k < noise.size() ? rounded(noise[k]) : rounded(NAN)));
+    for (std::size_t k = 0; k < 3; ++k) cells.push_back(number_cell(k < noise.size() ? rounded(noise[k]) : rounded(kNaN)));
     table.row(cells);
   };
   row(markup("recording"), c.recording.forces.recording.noise);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fit/results/axis_scale.h"
+#include "libtrack/nan.h"
 #include "reports/comparison/html_sections.h"
 #include "reports/comparison/methods.h"
 #include "reports/comparison/words.h"
@@ -20,7 +21,7 @@ using Cells = std::vector<HtmlTable::Cell>;
 
 // Where a value lies between its bounds, 0..1, on the scale on which it was searched.
 double place(const ParameterResult& p, double value) {
-  return p.fitted && p.upper > p.lower ? place_on(scale_of(p.log, p.lower), p.lower, p.upper, value) : NAN;
+  return p.fitted && p.upper > p.lower ? place_on(scale_of(p.log, p.lower), p.lower, p.upper, value) : kNaN;
 }
 
 std::string axis_name(const ParameterResult& p) {
@@ -73,7 +74,7 @@ Html parameter_table(const ModelFit& r) {
 
 // The largest change of a raw energy when the time step is halved, among the metrics that count.
 double half_step_change(const Comparison& c, const ModelFit& r) {
-  double largest = NAN;
+  double largest = kNaN;
   for (std::size_t m = 0; m < c.recording.columns.size(); ++m) {
     const double change = std::abs(r.runs.half_step_energies[m] - r.runs.raw_energies[m]);
     if (counts(c, m) && std::isfinite(change)) largest = std::isfinite(largest) ? std::max(largest, change) : change;

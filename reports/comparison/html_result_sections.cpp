@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libtrack/nan.h"
 #include "reports/comparison/figure_parts.h"
 #include "reports/comparison/html_sections.h"
 #include "reports/comparison/words.h"
@@ -37,11 +38,11 @@ struct Scale {
 
 // Score relative to the best, and the interval of that difference.
 struct Difference {
-  double value = NAN, lower = NAN, upper = NAN;
+  double value = kNaN, lower = kNaN, upper = kNaN;
 };
 
 Difference difference(const Comparison& c, std::size_t k) {
-  if (k == 0) return {0, NAN, NAN};
+  if (k == 0) return {0, kNaN, kNaN};
   const Certainty& sure = c.models[k].standing.certainty;
   return {c.models[k].standing.score - c.models.front().standing.score, -sure.lead_upper, -sure.lead_lower};
 }
@@ -57,7 +58,7 @@ Html fit_verdict(const Comparison& c, const ModelFit& r) {
 
 // How far an energy is beyond what a true model would have, 0 to kShades.
 int shade(const Comparison& c, const ModelFit& r, std::size_t m) {
-  const double energy = r.runs.raw_energies[m], own = m < r.standing.certainty.own.size() ? r.standing.certainty.own[m] : NAN;
+  const double energy = r.runs.raw_energies[m], own = m < r.standing.certainty.own.size() ? r.standing.certainty.own[m] : kNaN;
   if (!std::isfinite(energy)) return 0;
   // A model without noise repeats its own recordings: energies of rounding.
   const double least = 1e-3 * worst_energy(c.recording.binning);
@@ -79,7 +80,7 @@ HtmlTable::Cell misfit_cell(const Comparison& c, const ModelFit& r, std::size_t 
   constexpr const char* kArrows[] = {" ▼", "", " ▲"};
   const int way = direction(c, r, m), level = shade(c, r, m);
   const std::string look = level == 0 ? "mid" : fmt::format("mid {} q{}", way > 0 ? "wrong" : way < 0 ? "right" : "neither", level);
-  const double own = m < r.standing.certainty.own.size() ? r.standing.certainty.own[m] : NAN;
+  const double own = m < r.standing.certainty.own.size() ? r.standing.certainty.own[m] : kNaN;
   return {.content = escaped(fixed(r.runs.raw_energies[m], 2) + (level > 0 ? kArrows[way + 1] : "")),
           .soft = !counts(c, m),
           .also = look,

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "libtrack/nan.h"
 #include "reports/comparison/quantities.h"
 #include "reports/comparison/words.h"
 #include "reports/draw/sparkline.h"
@@ -148,7 +149,7 @@ std::string panel_text(const Comparison& c, TextStyle style) {
   const auto row = [&](const std::string& name, const std::vector<Estimate>& values, Paint paint) {
     std::vector<std::string> cells = {name};
     for (const Shown& s : shown) {
-      const double value = s.item < values.size() ? values[s.item].value : NAN;
+      const double value = s.item < values.size() ? values[s.item].value : kNaN;
       cells.push_back(rounded(s.root ? std::sqrt(value) : value, 2));
     }
     table.row(cells, paint);

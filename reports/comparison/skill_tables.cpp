@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/comparison/skill_tables.h"
 
-#include <cmath>
-
+#include "libtrack/nan.h"
 #include "reports/comparison/words.h"
 #include "reports/write/number.h"
 #include "reports/write/unit_text.h"
@@ -49,7 +48,7 @@ std::string skill(const Comparison& c) {
     Line all;
     const bool places = s.null_of == SkillNull::places;
     all.add(r.model).add("all").add("").add(mean / number).add("").add(s.mean_floor).add(s.mean_floor_sd);
-    all.add(places ? NAN : s.mean_null).add(places ? s.mean_null : NAN).add("").add(r.likeness.skill);
+    all.add(places ? kNaN : s.mean_null).add(places ? s.mean_null : kNaN).add("").add(r.likeness.skill);
     out += all.end();
   }
   return out;

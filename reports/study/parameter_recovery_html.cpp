@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "libtrack/nan.h"
 #include "reports/comparison/words.h"
 #include "reports/study/parameter_recovery_report.h"
 #include "reports/study/study_facts.h"
@@ -74,7 +74,7 @@ Html drawings(const ParameterRecovery& r) {
 
 std::vector<double> ranks_of(const ParameterRecovery& r, std::size_t k) {
   std::vector<double> out;
-  for (const ParameterCase& c : r.cases) out.push_back(k < c.rank.size() ? c.rank[k] : NAN);
+  for (const ParameterCase& c : r.cases) out.push_back(k < c.rank.size() ? c.rank[k] : kNaN);
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "libtrack/file.h"
+#include "libtrack/nan.h"
 #include "reports/comparison/tables.h"
 #include "reports/draw/inline_svg.h"
 #include "reports/draw/plot.h"
@@ -156,8 +157,8 @@ std::string sweep_text(const Sweep& s, TextStyle style) {
   ranges.row({"mean of a cell", "least", "largest"}, Paint::bold);
   for (std::size_t k = 0; k < s.what.size(); ++k) {
     const Ends e = ends_of(s, k);
-    ranges.row({std::string(s.what[k]->name), in_print(rounded(std::isfinite(e.lower) ? e.lower : NAN)),
-                in_print(rounded(std::isfinite(e.upper) ? e.upper : NAN))});
+    ranges.row({std::string(s.what[k]->name), in_print(rounded(std::isfinite(e.lower) ? e.lower : kNaN)),
+                in_print(rounded(std::isfinite(e.upper) ? e.upper : kNaN))});
   }
   TextTable states({l, r}, style);
   states.row({"state at the end", "runs"}, Paint::bold);

@@ -2,11 +2,12 @@
 // HTML tables and small static drawings. Everything that returns `Html` is safe to insert; plain strings are escaped on the way in.
 #pragma once
 
-#include <cmath>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "libtrack/nan.h"
 
 namespace swarmfit {
 
@@ -73,7 +74,7 @@ Html fact(std::string_view term, std::string_view value, bool wide = false);
 // value with its interval on the common scale [lower, upper]; empty unless all are finite.
 Html interval_drawing(double value, double low, double high, double lower, double upper, std::size_t series);
 // Where a fitted value lies between its bounds, and its interval, if that is finite; all from 0 to 1.
-Html place_drawing(double share, bool at_bound, double low = NAN, double high = NAN);
+Html place_drawing(double share, bool at_bound, double low = kNaN, double high = kNaN);
 // "synthetic data", beside a page's kind.
 Html synthetic_badge();
 // Line sample of a series in the charts' legend.

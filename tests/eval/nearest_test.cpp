@@ -68,6 +68,15 @@ TEST(Nearest, EverybodyInOnePlace) {
   expect_equal_to_brute_force(test::tracks_of(rows));
 }
 
+// Clumps of many, pairs, and individuals alone; also places so near that the square of their distance is 0.
+TEST(Nearest, ManyInAFewPlaces) {
+  std::vector<Row> rows;
+  for (std::uint32_t i = 0; i < 900; ++i)
+    rows.push_back({i, 0, {i % 3 == 0 ? 1.0 : i % 3 == 1 ? std::floor(i / 6.0) : test::normal(3, 0, i, 0), i % 2 ? 2.0 : 0.5, 3}});
+  for (std::uint32_t i = 0; i < 300; ++i) rows.push_back({i, 1, {i * 1e-200, 0, 0}});
+  expect_equal_to_brute_force(test::tracks_of(rows));
+}
+
 TEST(Nearest, PlanarAndFarFromTheOrigin) {
   std::vector<Row> rows;
   for (std::uint32_t i = 0; i < 500; ++i) rows.push_back({i, 0, {1e6 + test::uniform(2, 0, i, 0), -1e6 + test::uniform(2, 0, i, 1), 0}});
