@@ -10,6 +10,9 @@
 #ifdef SWARMFIT_MPI
 #include <mpi.h>
 #include <sched.h>
+
+#include <chrono>
+#include <thread>
 #endif
 
 namespace swarmfit::cli {
@@ -82,14 +85,23 @@ int share_of_processors() {
   return std::max(1, CPU_COUNT(&all) / processes);
 }
 
+// Sleeps between looks: a process that spins takes time from those that work, where there are more of them than processors.
+void wait_for(MPI_Request request) {
+  int done = 0;
+  while (MPI_Test(&request, &done, MPI_STATUS_IGNORE), !done) std::this_thread::sleep_for(std::chrono::microseconds(50));
+}
+
 std::vector<std::string> gathered(const std::string& bytes, int size) {
+  MPI_Request request = MPI_REQUEST_NULL;
   std::vector<int> sizes(static_cast<std::size_t>(size)), starts(sizes.size());
   const int own = static_cast<int>(bytes.size());
-  MPI_Allgather(&own, 1, MPI_INT, sizes.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  MPI_Iallgather(&own, 1, MPI_INT, sizes.data(), 1, MPI_INT, MPI_COMM_WORLD, &request);
+  wait_for(request);
   int total = 0;
   for (std::size_t k = 0; k < sizes.size(); ++k) starts[k] = total, total += sizes[k];
   std::string all(static_cast<std::size_t>(total), '\0');
-  MPI_Allgatherv(bytes.data(), own, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, MPI_COMM_WORLD);
+  MPI_Iallgatherv(bytes.data(), own, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, MPI_COMM_WORLD, &request);
+  wait_for(request);
   std::vector<std::string> out;
   for (std::size_t k = 0; k < sizes.size(); ++k)
     out.push_back(all.substr(static_cast<std::size_t>(starts[k]), static_cast<std::size_t>(sizes[k])));
