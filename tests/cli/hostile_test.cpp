@@ -111,6 +111,15 @@ TEST_F(Hostile, NumbersBeyondAllSenseAreRefusedAtOnce) {
   expect_refused("compare demo -m boids,brownian --scoring foo", "--scoring: 'foo' is not known; expected proper or pooled");
 }
 
+// A shell's variable that is not set: the message must say which word was empty.
+TEST_F(Hostile, EmptyNamesAreRefused) {
+  expect_refused("describe ''", "DATA: '' is not allowed; expected a name");
+  expect_refused("describe demo '' --join", "DATA: ''");
+  expect_refused("convert demo -o ''", "--out: ''");
+  expect_refused("evaluate demo ''", "SIM: ''");
+  expect_refused("resume ''", "RUN_DIR: ''");
+}
+
 TEST_F(Hostile, WhatTheTerminalWouldObeyIsShown) {
   const Result r = run("describe \"$(printf 'no\\n\\033[31mfile')\"");
   EXPECT_EQ(r.code, 2);
