@@ -12,13 +12,22 @@
 //   p = p + v dt
 //
 // unit(0) = 0. Synchronous, semi-implicit Euler. Without a neighbour an agent flies straight on. tau is the turning time; speed / tau is
-// the steering acceleration, so the path does not depend on the time step.
+// the steering acceleration, so the path does not depend on the time step. In a world with goals the way to one (paths.h), a unit vector,
+// is added in the brackets.
+//
+// Options (first value: default)
+//   noise   none    as above
+//           perlin  p is carried by a wind, too: Perlin noise of x / scale, of root-mean-square length `agitation`
+//           white   the same with a velocity uniform on a cube, drawn anew for each agent every `hold` seconds
+//           with noise and goals: a baseline of X. Wang et al. 2014 (doi:10.1111/cgf.12277), section 7.1
 #include <cmath>
 
+#include "libswarm/agitation.h"
+#include "libswarm/decision_clock.h"
 #include "libswarm/flock_sums.h"
 #include "libswarm/model.h"
-#include "libswarm/noise.h"
 #include "libswarm/parallel.h"
+#include "libswarm/paths.h"
 
 namespace swarmfit {
 namespace {
@@ -26,9 +35,9 @@ namespace {
 using Eigen::Array3d;
 
 // Rows of the parameter table, in its order.
-enum Row : std::size_t { kSpeed, kRadius, kTau };
+enum Row : std::size_t { kSpeed, kRadius, kTau, kAgitation, kScale, kHold };
 
-constexpr double kSeparation = 1.5, kAlignment = 1, kCohesion = 1;
+constexpr double kSeparation = 1.5, kAlignment = 1, kCohesion = 1, kGoal = 1;
 
 Array3d unit(const Array3d& a) {
   const double length = std::sqrt(a.square().sum());
@@ -36,28 +45,37 @@ Array3d unit(const Array3d& a) {
 }
 
 struct Buffers : Workspace {
+  explicit Buffers(const Rng& rng) : noise(rng) {}
   SlotVelocities velocities;
+  NoiseField noise;
 };
 
 class Boids : public Model {
  public:
-  explicit Boids(const Setup& setup) : dims_(setup.dims) {}
+  explicit Boids(const Setup& setup) : dims_(setup.dims), agitation_(setup.options.at("noise"), setup.dims) {}
 
-  std::unique_ptr<Workspace> workspace(const World&, const Rng&) const override { return std::make_unique<Buffers>(); }
+  std::unique_ptr<Workspace> workspace(const World&, const Rng& rng) const override { return std::make_unique<Buffers>(rng); }
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
-    SlotVelocities& velocities = static_cast<Buffers*>(c.work)->velocities;
+    auto& [velocities, noise] = *static_cast<Buffers*>(c.work);
+    const auto* paths = world.part<Paths>();
     c.near.build(now.pos, world.bounds, c.p[kRadius]);
     velocities.take(c.near, now.vel);
     const double speed = c.p[kSpeed], turn = speed / c.p[kTau] * c.dt;
+    const auto draw = static_cast<std::uint64_t>(decisions_before(c.t + c.dt, c.p[kHold])) & 0xFFFFFFFFFFFFU;
     for_each_agent(now.size(), [&](Index i, std::size_t) {
       const Array3d before = now.vel.row(i).transpose();
-      const Array3d steering = steered(flock_sums(c.near, velocities, i, c.p[kRadius] / 2, c.p[kRadius]));
+      const Array3d x = now.pos.row(i).transpose();
+      Array3d steering = steered(flock_sums(c.near, velocities, i, c.p[kRadius] / 2, c.p[kRadius]));
+      if (paths) steering += kGoal * paths->direction(x);
       Array3d heading = unit(before + turn * steering);
       if ((heading == 0).all()) heading = at_rest(now, i, c);
       const Array3d v = speed * heading;
       next.vel.row(i) = v.transpose();
       next.pos.row(i) = now.pos.row(i) + v.transpose() * c.dt;
+      if (!agitation_) return;
+      const Array3d wind = agitation_.velocity(noise, x, c.p[kAgitation], c.p[kScale], c.rng, draw, now.id[static_cast<std::size_t>(i)]);
+      next.pos.row(i) += wind.transpose() * c.dt;
     });
     return Step::done;
   }
@@ -73,6 +91,7 @@ class Boids : public Model {
   }
 
   int dims_;
+  Agitation agitation_;
 };
 
 const std::vector<Parameter>& parameter_table() {
@@ -86,6 +105,12 @@ const std::vector<Parameter>& parameter_table() {
        .log = true, .fitted = true, .published = true, .meaning = "radius of perception", .source = "Table S17"},
       {.row = kTau, .name = "tau", .symbol = "τ", .unit = {0, 1}, .scene = {0.2, 0.01, 10}, .fit = {0.5, 0.05, 10}, .log = true,
        .fitted = true, .meaning = "turning time", .source = "our choice"},
+      {.row = kAgitation, .name = "agitation", .unit = {1, -1}, .scene = {0.3, 0, 100}, .fit = {0.3, 0.03, 1}, .log = true, .fitted = true,
+       .when = "noise=perlin|white", .meaning = "root-mean-square velocity of the wind", .source = "Wang et al., section 7.1"},
+      {.row = kScale, .name = "scale", .unit = {1, 0}, .scene = {0.4, 0.01, 100}, .fit = {0.5, 0.05, 5}, .log = true, .fitted = true,
+       .when = "noise=perlin", .meaning = "feature size of the wind", .source = "Wang et al., section 7.1"},
+      {.row = kHold, .name = "hold", .symbol = "τ_h", .unit = {0, 1}, .scene = {1.0 / 60, 1e-4, 10}, .fit = {0.05, 0.001, 10}, .log = true,
+       .when = "noise=white", .meaning = "how long a random velocity of the wind lasts", .source = "our choice: the paper's frame"},
   };
   // clang-format on
   return table;
@@ -100,7 +125,11 @@ ModelSpec boids_spec() {
           .dims = {2, 3},
           .native_dt = 0.01,
           .largest_dt = 1.0 / 20,
-          .options = {},
+          .quiet = "noise=none",
+          .options = {{"noise",
+                       {"none", "perlin", "white"},
+                       "a wind",
+                       {"no wind", "a smooth wind that all share", "a random wind of its own for each agent"}}},
           .columns = {},
           .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Boids>(setup); }};

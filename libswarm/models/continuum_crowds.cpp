@@ -27,11 +27,11 @@
 #include <cmath>
 #include <limits>
 
+#include "libswarm/agitation.h"
 #include "libswarm/directed_cost.h"
 #include "libswarm/distance_field.h"
 #include "libswarm/headings.h"
 #include "libswarm/minimum_distance.h"
-#include "libswarm/noise.h"
 #include "libswarm/parallel.h"
 #include "libswarm/paths.h"
 
@@ -45,12 +45,8 @@ using Faces = DirectedCostField::Faces;
 // Rows of the parameter table, in its order.
 enum Row : std::size_t { kSpeed, kRhoMin, kRhoMax, kLambda, kAlpha, kBeta, kGamma, kAgitation, kScale, kApart };
 
-enum class Noise { none, perlin, white };
-
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSlowest = 0.01;                       // of the free speed: costs stay finite
-constexpr double kRmsPerlin = 0.27 * 1.41421356;        // of two components of NoiseField::potential
-constexpr double kRmsWhite = 0.577350269 * 1.41421356;  // of two numbers uniform on [-1, 1)
+constexpr double kSlowest = 0.01;  // of the free speed: costs stay finite
 
 Array3d in_plane(const Array3d& a) { return {a[0], a[1], 0}; }
 
@@ -177,10 +173,7 @@ class Flow {
 
 class ContinuumCrowds : public Model {
  public:
-  explicit ContinuumCrowds(const Setup& setup) : kinds_(setup.kinds) {
-    const std::string& noise = setup.options.at("noise");
-    noise_ = noise == "perlin" ? Noise::perlin : noise == "white" ? Noise::white : Noise::none;
-  }
+  explicit ContinuumCrowds(const Setup& setup) : kinds_(setup.kinds), agitation_(setup.options.at("noise"), 2) {}
 
   std::unique_ptr<Workspace> workspace(const World& world, const Rng& rng) const override {
     return std::make_unique<Ground>(rng, world.part<Paths>(), world.part<Walls>());
@@ -192,7 +185,7 @@ class ContinuumCrowds : public Model {
     for_each_agent(now.size(), [&](Index i, std::size_t) {
       const Array3d x = now.pos.row(i).transpose();
       const auto row = static_cast<std::size_t>(i);
-      Array3d v = agitation(ground, x, now.id[row], c);
+      Array3d v = agitation_.velocity(ground.noise, x, c.p[kAgitation], c.p[kScale], c.rng, c.tick, now.id[row]);
       if (flows.empty())
         v += c.p[kSpeed] * heading_of(now.vel.row(i).transpose());
       else
@@ -223,15 +216,8 @@ class ContinuumCrowds : public Model {
     return out;
   }
 
-  Array3d agitation(const Ground& ground, const Array3d& x, std::uint32_t id, const StepContext& c) const {
-    Array3d v = Array3d::Zero();
-    if (noise_ == Noise::perlin) v = c.p[kAgitation] / kRmsPerlin * ground.noise.potential(x / c.p[kScale]);
-    if (noise_ == Noise::white) v = c.p[kAgitation] / kRmsWhite * white_noise(c.rng, c.tick, id);
-    return in_plane(v);
-  }
-
   int kinds_;
-  Noise noise_ = Noise::none;
+  Agitation agitation_;
 };
 
 const std::vector<Parameter>& parameter_table() {

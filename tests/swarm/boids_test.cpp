@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "libswarm/paths.h"
 #include "tests/swarm/lane.h"
 
 namespace swarmfit {
@@ -78,6 +79,62 @@ TEST(Boids, FlocksAlign) {
   EXPECT_LT(polarisation(), 0.3);
   run(made, {.frame_dt = 0.01, .frames = 501}, lane);
   EXPECT_GT(polarisation(), 0.9);
+}
+
+// Rows of large groups move; ids do not.
+Rows by_id(const State& state, const Rows& values) {
+  Rows out(values.rows(), 3);
+  for (Index i = 0; i < values.rows(); ++i) out.row(state.id[static_cast<std::size_t>(i)]) = values.row(i);
+  return out;
+}
+
+// Nobody sees anybody: positions are those without wind, plus what the wind did.
+TEST(Boids, WindsAreAsStrongAsTheySay) {
+  const auto end = [](const std::string& options, double hold) {
+    const Made made = make("boids" + options);
+    Lane lane = crowd(made, 4000, 40, 1);
+    set(made, lane, "radius", 1e-3);
+    set(made, lane, "agitation", 0.7);
+    set(made, lane, "hold", hold);
+    run(made, {.frame_dt = 0.01, .frames = 101}, lane);
+    return lane.state;
+  };
+  const State still = end("", 1);
+  const auto blown = [&](const std::string& options, double hold) {  // root-mean-square way in a second
+    const State state = end(options, hold);
+    EXPECT_EQ((by_id(state, state.vel) - by_id(still, still.vel)).abs().maxCoeff(), 0) << "the wind does not turn anybody";
+    return std::sqrt((by_id(state, state.pos) - by_id(still, still.pos)).square().rowwise().sum().mean());
+  };
+  EXPECT_NEAR(blown("[noise=white]", 1), 0.7, 0.02);
+  EXPECT_NEAR(blown("[noise=white]", 0.1), 0.7 / std::sqrt(10.0), 0.01);  // ten independent pieces of a tenth of a second
+  EXPECT_GT(blown("[noise=perlin]", 1), 0.05);
+}
+
+TEST(Boids, PerlinWindIsAsStrongAsItSays) {
+  for (const int dims : {2, 3}) {
+    const Made made = make("boids[noise=perlin]", dims);
+    Lane lane = crowd(made, 4000, 40, 1);
+    set(made, lane, "radius", 1e-3);
+    set(made, lane, "agitation", 0.7);
+    const Rows from = by_id(lane.state, lane.state.pos);
+    run(made, {.frame_dt = 1e-6, .frames = 2}, lane);
+    const Rows wind = (by_id(lane.state, lane.state.pos) - from) / 1e-6 - by_id(lane.state, lane.state.vel);
+    EXPECT_NEAR(std::sqrt(wind.square().rowwise().sum().mean()), 0.7, 0.07) << dims;
+    EXPECT_EQ(wind.col(2).abs().maxCoeff() > 0, dims == 3);
+  }
+}
+
+TEST(Boids, FlyToTheirGoal) {
+  const Made made = make("boids", 2);
+  Lane lane = crowd(made, 0, 1, 1);
+  lane.world.bounds = {.kind = Bounds::Kind::box, .lower = {0, 0, 0}, .upper = {40, 20, 0}};
+  PathOptions ways;
+  ways.grid = {.cell = 0.5, .count = {80, 40, 1}};
+  lane.world.add(std::make_unique<Paths>(ways, std::vector<Goal>{{.centre = {38, 10, 0}, .radius = 1}}, std::vector<Obstacle>{}));
+  lane.state.spawn(0, {10, 10, 0}, {-kSpeed, 0.1, 0});
+  run(made, {.frame_dt = 0.01, .frames = 301}, lane);
+  EXPECT_GT(lane.state.vel(0, 0), 0.99 * kSpeed) << "it has turned round";
+  EXPECT_GT(lane.state.pos(0, 0), 10 + kSpeed);
 }
 
 }  // namespace
