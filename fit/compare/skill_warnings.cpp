@@ -74,27 +74,30 @@ void warn_of_identified(const Comparison& r, std::vector<Warning>& out) {
   }
 }
 
-// Pairs whose order by skill is the reverse of their order by score, beyond the scatter of the simulations.
-std::vector<std::string> reversed_pairs(const Comparison& r) {
+// Which models come before others by skill that are before them by score, beyond the scatter of the simulations: "b before a and c".
+std::vector<std::string> overtaking(const Comparison& r) {
   std::vector<std::string> out;
-  for (std::size_t a = 0; a < r.models.size(); ++a)
-    for (std::size_t b = a + 1; b < r.models.size(); ++b) {
+  for (std::size_t b = 1; b < r.models.size(); ++b) {
+    std::vector<std::string> overtaken;
+    for (std::size_t a = 0; a < b; ++a) {
       const Estimate &above = r.models[a].likeness.skill, &below = r.models[b].likeness.skill;
-      if (below.value - above.value > kStandardErrors * std::hypot(above.se, below.se))
-        out.push_back(fmt::format("{} before {}", r.models[b].model, r.models[a].model));
+      if (below.value - above.value > kStandardErrors * std::hypot(above.se, below.se)) overtaken.push_back(r.models[a].model);
     }
+    if (!overtaken.empty()) out.push_back(fmt::format("{} before {}", r.models[b].model, fmt::join(overtaken, " and ")));
+  }
   return out;
 }
 
 void warn_of_order(const Comparison& r, std::vector<Warning>& out) {
-  const auto pairs = reversed_pairs(r);
-  if (pairs.empty()) return;
+  const auto found = overtaking(r);
+  if (found.empty()) return;
   std::vector<std::string> order;
   for (const ModelFit* m : by_skill(r))
     order.push_back(fmt::format("{} ({:.2f})", m->model, std::round(100 * m->likeness.skill.value) / 100 + 0.0));  // no "-0.00"
   warn(out, Gravity::result,
-       "Score and skill disagree: by skill the order is {}, which puts {}. The score depends on which models are compared, skill does not.",
-       fmt::join(order, ", "), fmt::join(pairs, " and "));
+       "Score and skill disagree. By skill the order is {}; what differs from the order by score beyond chance is {}. The score depends on "
+       "which models are compared, skill does not.",
+       fmt::join(order, ", "), fmt::join(found, ", "));
 }
 
 // Does the skill rest on other columns than the score?

@@ -121,7 +121,7 @@ Html warnings(const Comparison& c) {
   for (const Gravity gravity : {Gravity::result, Gravity::meaning, Gravity::note}) {
     Html items;
     for (const Warning& warning : c.warnings)
-      if (warning.gravity == gravity) items += element("li", "", escaped(warning.text));
+      if (warning.gravity == gravity) items += element("li", "", escaped(in_print(warning.text)));
     if (items.text.empty()) continue;
     groups += element("h3", gravity == Gravity::note ? "light" : "", escaped(gravity_title(gravity)));
     groups += element("ul", "", items);
