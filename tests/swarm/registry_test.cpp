@@ -46,7 +46,7 @@ TEST(ParseModel, CompletesAndNames) {
   EXPECT_EQ(other.name, "bswarm[noise=white,avoidance=none]");  // table order, defaults left out
   EXPECT_EQ(parse_model(other.name).options, other.options);
   EXPECT_EQ(other.spec, plain.spec);
-  EXPECT_EQ(parse_model("boids").options.size(), 0u);
+  EXPECT_EQ(parse_model("langevin").options.size(), 0u);
 }
 
 TEST(ParseModel, ErrorsNameWhatIsLegal) {
@@ -57,7 +57,7 @@ TEST(ParseModel, ErrorsNameWhatIsLegal) {
   EXPECT_THAT(error_of("bswarm[noise=white"), HasSubstr("no closing bracket"));
   EXPECT_THAT(error_of("bswarm[white]"), HasSubstr("'white' is not a setting"));
   EXPECT_THAT(error_of("bswarm[noise=white,noise=curl]"), HasSubstr("given twice"));
-  EXPECT_THAT(error_of("boids[noise=white]"), AllOf(HasSubstr("'noise'"), HasSubstr("no options")));
+  EXPECT_THAT(error_of("langevin[noise=white]"), AllOf(HasSubstr("'noise'"), HasSubstr("no options")));
   EXPECT_THAT(error_of(""), HasSubstr("expected one of"));
 }
 
