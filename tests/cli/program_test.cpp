@@ -150,8 +150,8 @@ TEST_F(Program, ReportsARunInTheFormatsOfAPaper) {
 }
 
 TEST_F(Program, ConfigOfARunRepeatsIt) {
-  const Result first =
-      run(std::string("compare demo -m 'boids,bswarm[noise=white]' --set tau=0.3 --bounds bswarm.gamma=0.001:0.1 ") + kQuick + "--out a");
+  const Result first = run(std::string("compare demo -m 'boids,bswarm[noise=white]' --frames 0:99 --steps 2 --set tau=0.3 ") +
+                           "--bounds bswarm.gamma=0.001:0.1 " + kQuick + "--out a");
   ASSERT_EQ(first.code, 0) << first.err;
   const Result again = run("compare --config a/config.toml -q --out b");
   ASSERT_EQ(again.code, 0) << again.err;
