@@ -57,16 +57,16 @@ class Boids : public Model {
   std::unique_ptr<Workspace> workspace(const World&, const Rng& rng) const override { return std::make_unique<Buffers>(rng); }
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
-    auto& [velocities, noise] = *static_cast<Buffers*>(c.work);
+    auto& work = *static_cast<Buffers*>(c.work);
     const auto* paths = world.part<Paths>();
     c.near.build(now.pos, world.bounds, c.p[kRadius]);
-    velocities.take(c.near, now.vel);
+    work.velocities.take(c.near, now.vel);
     const double speed = c.p[kSpeed], turn = speed / c.p[kTau] * c.dt;
     const auto draw = static_cast<std::uint64_t>(decisions_before(c.t + c.dt, c.p[kHold])) & 0xFFFFFFFFFFFFU;
     for_each_agent(now.size(), [&](Index i, std::size_t) {
       const Array3d before = now.vel.row(i).transpose();
       const Array3d x = now.pos.row(i).transpose();
-      Array3d steering = steered(flock_sums(c.near, velocities, i, c.p[kRadius] / 2, c.p[kRadius]));
+      Array3d steering = steered(flock_sums(c.near, work.velocities, i, c.p[kRadius] / 2, c.p[kRadius]));
       if (paths) steering += kGoal * paths->direction(x);
       Array3d heading = unit(before + turn * steering);
       if ((heading == 0).all()) heading = at_rest(now, i, c);
@@ -74,7 +74,8 @@ class Boids : public Model {
       next.vel.row(i) = v.transpose();
       next.pos.row(i) = now.pos.row(i) + v.transpose() * c.dt;
       if (!agitation_) return;
-      const Array3d wind = agitation_.velocity(noise, x, c.p[kAgitation], c.p[kScale], c.rng, draw, now.id[static_cast<std::size_t>(i)]);
+      const Array3d wind =
+          agitation_.velocity(work.noise, x, c.p[kAgitation], c.p[kScale], c.rng, draw, now.id[static_cast<std::size_t>(i)]);
       next.pos.row(i) += wind.transpose() * c.dt;
     });
     return Step::done;
