@@ -119,7 +119,8 @@ std::vector<std::string> checked(const Setting& setting, std::vector<std::string
   try {
     if (!setting.allowed.many && words.size() != 1) throw InputError(fmt::format("{} values; expected one", words.size()));
     for (auto& word : words) {
-      if (setting.required && word.empty()) throw InputError("'' is not allowed; expected a name");  // a shell's variable that is not set
+      if (setting.required && setting.allowed.kind == Allowed::Kind::text && word.empty())
+        throw InputError("'' is not allowed; expected a name");  // a shell's variable that is not set
       word = checked(setting.allowed, word);
     }
   } catch (const InputError& e) {

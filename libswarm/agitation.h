@@ -12,7 +12,7 @@ namespace swarmfit {
 class Agitation {
  public:
   // perlin: proportional to Perlin noise of x / scale, the same for all. white: uniform on a cube, each agent's own at every draw.
-  explicit Agitation(const std::string& kind, int dims) : kind_(parsed(kind)), dims_(dims) {}
+  Agitation(const std::string& kind, int dims) : kind_(parsed(kind)), dims_(dims) {}
 
   explicit operator bool() const { return kind_ != Kind::none; }
 

@@ -95,8 +95,8 @@ void warn_of_order(const Comparison& r, std::vector<Warning>& out) {
   for (const ModelFit* m : by_skill(r))
     order.push_back(fmt::format("{} ({:.2f})", m->model, std::round(100 * m->likeness.skill.value) / 100 + 0.0));  // no "-0.00"
   warn(out, Gravity::result,
-       "Score and skill disagree. By skill the order is {}; what differs from the order by score beyond chance is {}. The score depends on "
-       "which models are compared, skill does not.",
+       "Score and skill disagree. By skill the order is {}. Beyond chance, skill puts {}. The score depends on which models are compared, "
+       "skill does not.",
        fmt::join(order, ", "), fmt::join(found, ", "));
 }
 

@@ -62,7 +62,7 @@ class Boids : public Model {
     c.near.build(now.pos, world.bounds, c.p[kRadius]);
     work.velocities.take(c.near, now.vel);
     const double speed = c.p[kSpeed], turn = speed / c.p[kTau] * c.dt;
-    const auto draw = static_cast<std::uint64_t>(decisions_before(c.t + c.dt, c.p[kHold])) & 0xFFFFFFFFFFFFU;
+    const std::uint64_t draw = decision_tick(c, c.p[kHold]);
     for_each_agent(now.size(), [&](Index i, std::size_t) {
       const Array3d before = now.vel.row(i).transpose();
       const Array3d x = now.pos.row(i).transpose();

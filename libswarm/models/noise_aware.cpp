@@ -104,7 +104,7 @@ class Flow {
         strength_(c.p[kGain] / c.p[kScale]),
         width_(std::min(scale_, cage.radius)),
         rng_(c.rng),
-        draw_(static_cast<std::uint64_t>(decisions_before(c.t + c.dt, c.p[kHold])) & 0xFFFFFFFFFFFFu) {}
+        draw_(decision_tick(c, c.p[kHold])) {}
 
   Array3d operator()(const Array3d& x, std::uint32_t id) const {
     return paths_ ? Array3d(drift(x, id) + speed_ * paths_->direction(x)) : drift(x, id);

@@ -24,10 +24,11 @@ ModelFit named(const std::string& name, double skill, double se) {
 TEST(SkillWarnings, SayWhereScoreAndSkillDisagree) {
   Comparison c;
   c.models = {named("a", 0.5, 0.01), named("b", 0.7, 0.01), named("c", 0.2, 0.01)};
-  EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("By skill the order is b (0.70), a (0.50), c (0.20); what differs from the order "
-                                                          "by score beyond chance is b before a. The score")));
+  EXPECT_THAT(
+      warnings_of_skill(c),
+      ElementsAre(HasSubstr("By skill the order is b (0.70), a (0.50), c (0.20). Beyond chance, skill puts b before a. The score")));
   c.models[2].likeness.skill.value = 0.8;
-  EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("is b before a, c before a and b. The score")));
+  EXPECT_THAT(warnings_of_skill(c), ElementsAre(HasSubstr("skill puts b before a, c before a and b. The score")));
   c.models[2].likeness.skill.value = 0.2;
   c.models[1].likeness.skill.se = 0.2;  // chance could do that
   EXPECT_TRUE(warnings_of_skill(c).empty());

@@ -20,7 +20,7 @@ PROGRAM = None
 
 class IndependentTruths(unittest.TestCase):
     def run_truth(self, name, rivals=(), make="", seed=1):
-        """The truth, the whole result, and the entry of the true model, ranked in sample: the halves would take twice the time."""
+        """The truth, the whole result, and the entry of the true model, ranked in sample: nothing here asks for the halves."""
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             recording, truth = table.make_truth(name, seed, folder, make)
