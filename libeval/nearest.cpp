@@ -38,32 +38,41 @@ struct Cloud {
   }
 };
 
-// Four at a time. Everybody is met in ascending order, so the strict comparisons leave ties with the lowest, in each lane and at the end.
-SWARMFIT_HOT void all_pairs(const Cloud& cloud, double* squared, Index* who) {
+// For `many` individuals from i on, so that they wait less for each other's comparisons, with the others four at a time. Everybody is met
+// in ascending order, so the strict comparisons leave ties with the lowest, in each lane and at the end.
+template <int many>
+inline __attribute__((always_inline)) void against_all(const Cloud& cloud, Index i, double* squared, Index* who) {
   const Index blocks = cloud.count / 4 * 4;
-  for (Index i = 0; i < cloud.count; ++i) {
-    const auto self = static_cast<double>(i);
-    Lanes least = Lanes{} + kInfinity, nearest = Lanes{} - 1, index{0, 1, 2, 3};
-    for (Index j = 0; j < blocks; j += 4) {
-      Lanes x, y, z;
-      load(cloud.x + j, x), load(cloud.y + j, y), load(cloud.z + j, z);
-      const Lanes dx = cloud.x[i] - x, dy = cloud.y[i] - y, dz = cloud.z[i] - z;
+  Lanes least[many], nearest[many], index{0, 1, 2, 3};
+  for (int k = 0; k < many; ++k) least[k] = Lanes{} + kInfinity, nearest[k] = Lanes{} - 1;
+  for (Index j = 0; j < blocks; j += 4, index += 4) {
+    Lanes x, y, z;
+    load(cloud.x + j, x), load(cloud.y + j, y), load(cloud.z + j, z);
+    for (int k = 0; k < many; ++k) {
+      const Lanes dx = cloud.x[i + k] - x, dy = cloud.y[i + k] - y, dz = cloud.z[i + k] - z;
       const Lanes d2 = dx * dx + dy * dy + dz * dz;
-      const auto closer = (d2 < least) & (index != self);
-      least = closer ? d2 : least;
-      nearest = closer ? index : nearest;
-      index += 4;
+      const auto closer = (d2 < least[k]) & (index != static_cast<double>(i + k));
+      least[k] = closer ? d2 : least[k];
+      nearest[k] = closer ? index : nearest[k];
     }
+  }
+  for (int k = 0; k < many; ++k) {
     double best = kInfinity, row = -1;
     for (int l = 0; l < 4; ++l)
-      if (least[l] < best || (least[l] == best && nearest[l] < row)) best = least[l], row = nearest[l];
+      if (least[k][l] < best || (least[k][l] == best && nearest[k][l] < row)) best = least[k][l], row = nearest[k][l];
     for (Index j = blocks; j < cloud.count; ++j) {
-      const double d2 = cloud.squared_distance(i, j);
-      if (j != i && d2 < best) best = d2, row = static_cast<double>(j);
+      const double d2 = cloud.squared_distance(i + k, j);
+      if (j != i + k && d2 < best) best = d2, row = static_cast<double>(j);
     }
-    squared[i] = best;
-    who[i] = static_cast<Index>(row);
+    squared[i + k] = best;
+    who[i + k] = static_cast<Index>(row);
   }
+}
+
+SWARMFIT_HOT void all_pairs(const Cloud& cloud, double* squared, Index* who) {
+  Index i = 0;
+  for (; i + 4 <= cloud.count; i += 4) against_all<4>(cloud, i, squared, who);
+  for (; i < cloud.count; ++i) against_all<1>(cloud, i, squared, who);
 }
 
 // nanoflann's result set for "the nearest other, the lowest index among equals".

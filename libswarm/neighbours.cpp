@@ -78,6 +78,23 @@ SWARMFIT_HOT std::size_t collect_periodic(const double* x, const double* y, cons
   return collect<true>(x, y, z, runs, count, from, radius2, self, distance2, slots);
 }
 
+// Bit s: x[s] < limit, of at most 64.
+SWARMFIT_HOT std::uint64_t bits_below(const double* x, Index n, double limit) {
+  LaneMask found{}, bit{1, 2, 4, 8};
+  Index s = 0;
+  for (; s + 4 <= n; s += 4, bit <<= 4) {
+    Lanes four;
+    load(x + s, four);
+    found |= (four < limit) & bit;
+  }
+  auto mask = static_cast<std::uint64_t>((found[0] | found[1]) | (found[2] | found[3]));
+  for (; s < n; ++s) mask |= std::uint64_t{x[s] < limit} << s;
+  return mask;
+}
+
+// Up to this many agents, mostly within reach, going through all is faster than finding those that are (measured).
+constexpr Index kFewAgents = 24;
+
 struct Keys {
   Lanes distance2[kRanked / 4], row[kRanked / 4];
 };
@@ -181,6 +198,8 @@ std::size_t Neighbours::within(Index self, double radius, const Run* runs, std::
   return compute(x_[0].data(), x_[1].data(), x_[2].data(), runs, count, from, radius * radius, self, distance2, slots);
 }
 
+std::uint64_t Neighbours::below(const double* distance2, Index n, double limit2) { return bits_below(distance2, n, limit2); }
+
 void Neighbours::squared_distances(Index self, Index first, Index end, double* out) const {
   const auto s = static_cast<std::size_t>(self);
   const Origin from{x_[0][s], x_[1][s], x_[2][s], {axes_[0].period, axes_[1].period, axes_[2].period}};
@@ -207,16 +226,17 @@ std::size_t Neighbours::gather(Index i, double radius, Scratch& scratch) const {
 
 // The same from the distances of all slots, which `nearest` has computed.
 std::size_t Neighbours::gather_all(double radius, Scratch& scratch) const {
-  const double limit2 = radius * radius;
   const double* distance2 = scratch.distance2.data();
-  std::uint32_t* slots = scratch.slots.data();
-  const auto n = static_cast<std::uint32_t>(size());
+  const double limit2 = radius * radius;
   std::size_t count = 0;
-  for (std::uint32_t s = 0; s < n; ++s) {
-    slots[count] = s;
+  if (size() > kFewAgents) {
+    for_each_below(distance2, size(), limit2, [&](Index s) { scratch.found[count++] = {distance2[s], s}; });
+    return count;
+  }
+  for (Index s = 0; s < size(); ++s) {  // written always, kept only by the count: no branch to mispredict
+    scratch.found[count] = {distance2[s], s};
     count += static_cast<std::size_t>(distance2[s] < limit2);
   }
-  for (std::size_t k = 0; k < count; ++k) scratch.found[k] = {distance2[slots[k]], static_cast<Index>(slots[k])};
   return count;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
@@ -149,6 +150,16 @@ class Neighbours {
   // Those of the runs' slots, in order and without oneself, that are nearer than `radius`, with |offset(self, s)|². Both have room for all
   // of them and one more: what is not kept is written too.
   std::size_t within(Index self, double radius, const Run* runs, std::size_t count, double* distance2, std::uint32_t* slots) const;
+  // take(s) for every s < n whose distance2 is below the limit, in ascending order; skips the others without a branch for each.
+  template <class Take>
+  static void for_each_below(const double* distance2, Index n, double limit2, Take&& take) {
+    for (Index first = 0; first < n; first += kMask)
+      for (std::uint64_t mask = below(distance2 + first, std::min(kMask, n - first), limit2); mask != 0; mask &= mask - 1)
+        take(first + std::countr_zero(mask));
+  }
+  // Bit s: distance2[s] < limit2, of at most kMask.
+  static std::uint64_t below(const double* distance2, Index n, double limit2);
+  static constexpr Index kMask = 64;
   // |offset(self, s)|² for the slots first .. end-1.
   void squared_distances(Index self, Index first, Index end, double* out) const;
   void lay_grid(const Rows& pos, const Bounds& bounds);
@@ -183,10 +194,10 @@ void Neighbours::visit_from(Index begin, Index self, Visit& visit) const {
   for (Index first = begin; first < size(); first += block) {
     const Index end = std::min(first + block, size());
     squared_distances(self, first, end, distance2);
-    for (Index s = first; s < end; ++s) {
-      const double d2 = distance2[s - first];
-      if (d2 < radius_ * radius_ && s != self) visit(row(s), offset(self, s), std::sqrt(d2));
-    }
+    for_each_below(distance2, end - first, radius_ * radius_, [&](Index k) {
+      const Index s = first + k;
+      if (s != self) visit(row(s), offset(self, s), std::sqrt(distance2[k]));
+    });
   }
 }
 

@@ -31,6 +31,7 @@
 #include "libswarm/decision_clock.h"
 #include "libswarm/headings.h"
 #include "libswarm/noise.h"
+#include "libswarm/own_heading.h"
 #include "libswarm/parallel.h"
 
 namespace swarmfit {
@@ -82,8 +83,7 @@ class AntTraffic : public Model {
 
   void enter(State& state, Index first, const World&, const StepContext& c) const override {
     for (Index i = first; i < state.size(); ++i) {
-      Array3d heading = heading_of(state.vel.row(i).transpose());
-      if ((heading == 0).all()) heading = random_direction(c.rng, Stream::tie_break, 0, state.id[static_cast<std::size_t>(i)], 0, 2);
+      const Array3d heading = own_heading(state, i, c.rng, 2);
       state.own.row(i).segment<2>(kHeading) = heading.head<2>().transpose();
       const auto kind = state.kind[static_cast<std::size_t>(i)];
       state.own(i, kRole) = kind == unladen ? 3 : kind;

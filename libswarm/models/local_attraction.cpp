@@ -36,6 +36,7 @@
 #include "libswarm/decision_clock.h"
 #include "libswarm/headings.h"
 #include "libswarm/noise.h"
+#include "libswarm/own_heading.h"
 #include "libswarm/parallel.h"
 #include "libswarm/zones.h"
 
@@ -100,7 +101,7 @@ class LocalAttraction : public Model {
     const double reach = reach_of(c) + (sequential ? 2 * c.p[kSpeed] * c.dt : 0);
     if (decision) c.near.build(now.pos, world.bounds, reach);
     const auto move = [&](Index i, std::size_t thread) {
-      Array3d heading = own_heading(now, i, c.rng);
+      Array3d heading = own_heading(now, i, c.rng, dims_);
       if (decision) heading = decide(sequential ? next : now, {i, *decision, 0}, reach, world.bounds, c, buffers.seen[thread]);
       next.vel.row(i) = c.p[kSpeed] * heading.transpose();
       next.pos.row(i) = now.pos.row(i) + c.dt * next.vel.row(i);
@@ -113,12 +114,6 @@ class LocalAttraction : public Model {
   }
 
  private:
-  // Nobody is at rest: whoever starts without a velocity gets a direction of its own.
-  Array3d own_heading(const State& state, Index i, const Rng& rng) const {
-    const Array3d heading = heading_of(state.vel.row(i).transpose());
-    return (heading == 0).all() ? random_direction(rng, Stream::tie_break, 0, state.id[static_cast<std::size_t>(i)], 0, dims_) : heading;
-  }
-
   double reach_of(const StepContext& c) const {
     const double seen = topological_ ? 0 : c.p[kRadius];
     return repels_ ? std::max(seen, c.p[kRRep]) : seen;
@@ -129,7 +124,7 @@ class LocalAttraction : public Model {
     buffers.acts.clear();
     std::uint32_t most = 0;
     for (Index i = 0; i < now.size(); ++i) {
-      next.vel.row(i) = c.p[kSpeed] * own_heading(now, i, c.rng).transpose();
+      next.vel.row(i) = c.p[kSpeed] * own_heading(now, i, c.rng, dims_).transpose();
       const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
       double t = 0;
       for (std::uint32_t k = 0;; ++k) {
@@ -155,7 +150,7 @@ class LocalAttraction : public Model {
                  std::vector<Seen>& seen) const {
     const Index i = turn.row;
     const std::uint32_t id = state.id[static_cast<std::size_t>(i)];
-    const Array3d heading = own_heading(state, i, c.rng), here = state.pos.row(i).transpose();
+    const Array3d heading = own_heading(state, i, c.rng, dims_), here = state.pos.row(i).transpose();
     // Least cosine of the angle to the heading; without a blind angle rounding hides nobody who is straight behind.
     const double seen_from = c.p[kBlind] > 0 ? -std::cos(c.p[kBlind] / 2) : -2;
     const double radius2 = topological_ ? INFINITY : c.p[kRadius] * c.p[kRadius], rep2 = repels_ ? c.p[kRRep] * c.p[kRRep] : 0;

@@ -130,7 +130,7 @@ class Flow {
 
   Array3d drift(const Array3d& x, std::uint32_t id) const {
     if (walls_)
-      if (const Surface s = nearest_surface(walls_->obstacles(), x, dims_); s.distance < width_) return beside(x, s, id);
+      if (const Surface s = nearest_surface(walls_->obstacles(), x, dims_, width_); s.distance < width_) return beside(x, s, id);
     const Array3d from = x - cage_.centre;
     const double r = std::sqrt(from.square().sum());
     const double into = (cage_.radius - r) / width_;  // may reach the centre, where there is no direction: the ramp is 1 there

@@ -30,6 +30,7 @@
 #include "libswarm/decision_clock.h"
 #include "libswarm/headings.h"
 #include "libswarm/noise.h"
+#include "libswarm/own_heading.h"
 #include "libswarm/parallel.h"
 
 namespace swarmfit {
@@ -140,8 +141,7 @@ class Pigeon : public Model {
   Array3d displacement(const State& now, Index i, const StepContext& c, double interval, std::uint64_t decision, Flight& flight,
                        std::size_t thread) const {
     const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
-    Array3d u = heading_of(now.vel.row(i).transpose());
-    if ((u == 0).all()) u = random_direction(c.rng, Stream::tie_break, 0, id, 0, dims_);
+    const Array3d u = own_heading(now, i, c.rng, dims_);
     const auto wanted = std::min(static_cast<Index>(std::lround(c.p[kNeighbours])), now.size() - 1);
     const auto found =
         c.near.nearest(i, static_cast<std::size_t>(wanted), INFINITY, flight.hint[static_cast<std::size_t>(i)], flight.nearest[thread]);

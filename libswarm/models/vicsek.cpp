@@ -31,6 +31,7 @@
 #include "libswarm/decision_clock.h"
 #include "libswarm/headings.h"
 #include "libswarm/noise.h"
+#include "libswarm/own_heading.h"
 #include "libswarm/parallel.h"
 
 namespace swarmfit {
@@ -53,20 +54,23 @@ class Vicsek : public Model {
         old_(setup.options.at("update") == "old") {}
 
   Index columns() const override { return 3; }
+  std::unique_ptr<Workspace> workspace(const World&, const Rng&) const override { return std::make_unique<OwnHeadings>(); }
 
   void enter(State& state, Index first, const World&, const StepContext& c) const override {
-    for (Index i = first; i < state.size(); ++i) state.own.row(i).segment<3>(kFound) = own_heading(state, i, c.rng).transpose();
+    for (Index i = first; i < state.size(); ++i) state.own.row(i).segment<3>(kFound) = own_heading(state, i, c.rng, dims_).transpose();
   }
 
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
     const double interval = c.p[kTau] > 0 ? c.p[kTau] : frame_;
     const auto decision = decision_due(c, interval);
     const bool taken = old_ && interval_ends(c, interval);
+    auto& headings = *static_cast<OwnHeadings*>(c.work);
+    headings.take(now, c.rng, dims_);
     if (decision) c.near.build(now.pos, world.bounds, c.p[kRadius]);
     for_each_agent(now.size(), [&](Index i, std::size_t) {
-      Array3d heading = own_heading(now, i, c.rng);
+      Array3d heading = headings.of.row(i).transpose();
       Array3d found = now.own.row(i).segment<3>(kFound).transpose();
-      if (decision) found = decide(now, i, c, *decision);
+      if (decision) found = decide(headings.of, i, now.id[static_cast<std::size_t>(i)], c, *decision);
       if (decision && !old_) heading = found;
       next.pos.row(i) = now.pos.row(i) + c.p[kSpeed] * c.dt * heading.transpose();
       next.vel.row(i) = c.p[kSpeed] * (taken ? found : heading).transpose();
@@ -76,21 +80,14 @@ class Vicsek : public Model {
   }
 
  private:
-  // Nobody is at rest: whoever starts without a velocity gets a direction of its own.
-  Array3d own_heading(const State& state, Index i, const Rng& rng) const {
-    const Array3d heading = heading_of(state.vel.row(i).transpose());
-    return (heading == 0).all() ? random_direction(rng, Stream::tie_break, 0, state.id[static_cast<std::size_t>(i)], 0, dims_) : heading;
-  }
-
-  Array3d decide(const State& now, Index i, const StepContext& c, std::uint64_t decision) const {
-    const Array3d own = own_heading(now, i, c.rng);
+  Array3d decide(const Rows& headings, Index i, std::uint32_t id, const StepContext& c, std::uint64_t decision) const {
+    const Array3d own = headings.row(i).transpose();
     Array3d sum = own;
     double terms = 1;
     c.near.visit(i, [&](Index j, const Array3d&, double) {
-      sum += own_heading(now, j, c.rng);
+      sum += headings.row(j).transpose();
       terms += 1;
     });
-    const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
     if (vectorial_) sum += c.p[kEtaVectorial] * terms * random_direction(c.rng, Stream::noise, decision, id, 0, dims_);
     Array3d mean = heading_of(sum);
     if ((mean == 0).all()) mean = own;

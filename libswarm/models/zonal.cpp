@@ -28,6 +28,7 @@
 #include "libswarm/decision_clock.h"
 #include "libswarm/headings.h"
 #include "libswarm/noise.h"
+#include "libswarm/own_heading.h"
 #include "libswarm/parallel.h"
 #include "libswarm/zones.h"
 
@@ -43,16 +44,20 @@ class Zonal : public Model {
  public:
   explicit Zonal(const Setup& setup) : dims_(setup.dims), frame_(setup.reference ? setup.reference->dt() : 0) {}
 
+  std::unique_ptr<Workspace> workspace(const World&, const Rng&) const override { return std::make_unique<OwnHeadings>(); }
+
   Step step(const State& now, State& next, const World& world, const StepContext& c) const override {
     const double interval = std::max(c.p[kTau], frame_);
     const auto decision = decision_due(c, interval);
     // Neighbours are those strictly nearer than the radius given, the outermost zone holds its edge.
+    auto& headings = *static_cast<OwnHeadings*>(c.work);
+    headings.take(now, c.rng, dims_);
     if (decision) c.near.build(now.pos, world.bounds, (c.p[kRRep] + c.p[kROri] + c.p[kRAtt]) * (1 + 1e-12));
     for_each_agent(now.size(), [&](Index i, std::size_t) {
-      Array3d heading = own_heading(now, i, c.rng);
+      Array3d heading = headings.of.row(i).transpose();
       if (decision) {
         const std::uint32_t id = now.id[static_cast<std::size_t>(i)];
-        const Array3d goal = noisy(desired(now, i, heading, c), id, *decision, c);
+        const Array3d goal = noisy(desired(headings.of, i, id, c), id, *decision, c);
         heading = turned_towards(heading, goal, c.p[kTurning] * interval, aside(heading, id, c));
       }
       next.vel.row(i) = c.p[kSpeed] * heading.transpose();
@@ -62,13 +67,8 @@ class Zonal : public Model {
   }
 
  private:
-  // Nobody is at rest: whoever starts without a velocity gets a direction of its own.
-  Array3d own_heading(const State& state, Index i, const Rng& rng) const {
-    const Array3d heading = heading_of(state.vel.row(i).transpose());
-    return (heading == 0).all() ? random_direction(rng, Stream::tie_break, 0, state.id[static_cast<std::size_t>(i)], 0, dims_) : heading;
-  }
-
-  Array3d desired(const State& now, Index i, const Array3d& heading, const StepContext& c) const {
+  Array3d desired(const Rows& headings, Index i, std::uint32_t id, const StepContext& c) const {
+    const Array3d heading = headings.row(i).transpose();
     const double r_rep = c.p[kRRep], r_ori = r_rep + c.p[kROri], r_att = r_ori + c.p[kRAtt];
     const double seen_from = -std::cos(c.p[kBlind] / 2);  // least cosine of the angle to the heading
     Array3d repulsion = Array3d::Zero(), orientation = Array3d::Zero(), attraction = Array3d::Zero();
@@ -77,13 +77,12 @@ class Zonal : public Model {
       if (d <= r_rep) {
         const auto draw = static_cast<std::uint32_t>(++repelling);
         // Agents at one place have no direction from one to the other: one is drawn.
-        repulsion -= d < kCoincident ? random_direction(c.rng, Stream::tie_break, c.tick, now.id[static_cast<std::size_t>(i)], draw, dims_)
-                                     : Array3d(offset / d);
+        repulsion -= d < kCoincident ? random_direction(c.rng, Stream::tie_break, c.tick, id, draw, dims_) : Array3d(offset / d);
         return;
       }
       if (repelling > 0 || d > r_att || d < kCoincident || (offset * heading).sum() < seen_from * d) return;
       if (d <= r_ori) {
-        orientation += own_heading(now, j, c.rng);
+        orientation += headings.row(j).transpose();
         ++orienting;
       } else {
         attraction += offset / d;
