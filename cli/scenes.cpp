@@ -109,7 +109,7 @@ void surround(Scenario& scene, const SceneArguments& a) {
   if (a.world.path.empty()) return;
   if (!scene.goals.empty())
     throw InputError(fmt::format("`world`: ways to the goals of {} are found in its own; expected a scenario without goals", scene.name));
-  if (a.box) throw InputError("`world`: is given beside box; expected one of both");
+  if (a.box) throw InputError("`world`: is given together with box; expected one of the two");
   Surroundings around = read_surroundings(a.world.path, a.world.text, scene.dims);
   scene.bounds = around.bounds;
   scene.obstacles = std::move(around.obstacles);
@@ -139,7 +139,7 @@ Scenario scenario_of(const SceneArguments& a) {
   scene.warm_up = a.warm_up.value_or(scene.warm_up);
   scene.unit = a.unit.value_or(scene.unit);
   if (a.fps) scene.dt = 1 / *a.fps;
-  if (!a.curve.empty()) return scene;  // which sets them
+  if (!a.curve.empty()) lead_along(scene, a);
   for (const auto& [name, value] : parse_assignments(a.set)) {
     try {
       set_parameter(scene, name, value);

@@ -22,8 +22,11 @@ Scenario scenario_of(const SceneArguments& a);
 // Where the model learns from a recording, that of this name: demo or a file.
 void learn_from(Scenario& scene, const std::string& recording);
 
-// The scene's model led along a curve, with a note of how well; the scene is then what was flown. Throws InputError if it cannot be led.
-Film along_curve(const SceneArguments& a, Scenario& scene);
+// Has a model alone led along the curve of that name, with the paper's weights. Throws InputError if it cannot be.
+void lead_along(Scenario& scene, const SceneArguments& a);
+
+// How well the agents of a scene with a curve drew it, in a sentence.
+std::string drawn_text(const Scenario& scene, const Tracks& agents);
 
 ModelCard card_of(const Scenario& scene);
 ListEntry scenario_entry(const Scenario& scene);

@@ -9,12 +9,21 @@
 
 namespace swarmfit {
 
+// A curve that agents are led along.
+struct CurveToFollow {
+  Curve curve;
+  double reach = 0;  // within which a key point is reached, > 0 [unit]
+};
+
+// A quarter of the spacing: Xiang et al. leave it open.
+inline double usual_reach(const Curve& curve) { return 0.25 * curve.spacing(); }
+
 // Leads every agent from key point to key point of a curve, in a direction drawn for each: Xiang et al. 2020 (doi:10.1002/cav.1957), Eq 15.
-// Who comes nearer than `reach` to its key point heads for the next; at the end of an open curve it turns round. An agent that appears
+// Who reaches its key point heads for the next; at the end of an open curve it turns round. An agent that appears
 // heads for the neighbour of the key point nearest to it.
 class CurveGuide : public Guide {
  public:
-  CurveGuide(Curve curve, double reach) : curve_(std::make_shared<const Curve>(std::move(curve))), reach_(reach) {}
+  explicit CurveGuide(CurveToFollow way) : curve_(std::make_shared<const Curve>(std::move(way.curve))), reach_(way.reach) {}
   std::unique_ptr<WorldPart> clone() const override { return std::make_unique<CurveGuide>(*this); }
   void advance(const Clock&, const World&, State&) override;
   std::optional<Eigen::Array3d> goal(std::uint32_t id) const override;

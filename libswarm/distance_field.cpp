@@ -71,10 +71,12 @@ Surface surface_of(const Obstacle& obstacle, const Array3d& place, int dims) {
   return {dot(place - obstacle.centre, obstacle.normal), obstacle.normal};
 }
 
-Surface nearest_surface(const std::vector<Obstacle>& obstacles, const Array3d& place, int dims) {
+Surface nearest_surface(const std::vector<Obstacle>& obstacles, const Array3d& place, int dims, double within) {
   Surface nearest{std::numeric_limits<double>::infinity(), Array3d::Zero()};
-  for (const Obstacle& o : obstacles)
+  for (const Obstacle& o : obstacles) {
+    if (o.shape == Obstacle::Shape::mesh && o.mesh->clearance(place) > std::min(within, nearest.distance)) continue;
     if (const Surface s = surface_of(o, place, dims); s.distance < nearest.distance) nearest = s;
+  }
   return nearest;
 }
 

@@ -19,7 +19,7 @@ void check_dimensions(const ModelSpec& spec, const Setup& setup) {
     refuse(spec, fmt::format("does not move in {} dimensions; expected {}", setup.dims, fmt::join(spec.dims, " or ")));
   if (setup.reference && setup.reference->dims() != setup.dims)
     refuse(spec,
-           fmt::format("told of a recording in {} dimensions; expected one in {}, as it moves in", setup.reference->dims(), setup.dims));
+           fmt::format("given a recording in {} dimensions; expected one in {}, as it moves in", setup.reference->dims(), setup.dims));
 }
 
 void check_step(const ModelSpec& spec, const Setup& setup) {

@@ -89,6 +89,7 @@ Mesh::Mesh(const std::vector<Array3d>& corners, const std::vector<Triangle>& tri
   plant_tree();
   find_normals();
   skin_ = kSkin * length(upper() - lower());
+  clearance_ = Clearance(lower(), upper(), [this](const Array3d& place) { return nearest(place).distance; });
 }
 
 void Mesh::plant_tree() {
@@ -175,7 +176,8 @@ Mesh::Near Mesh::nearest(const Array3d& p) const {
 }
 
 bool Mesh::inside(const Array3d& p) const {
-  if ((p < lower()).any() || (p > upper()).any()) return false;
+  const double known = clearance(p);
+  if (known > 0 || known < -2 * skin_) return known < 0;
   return nearest(p).distance < -2 * skin_;
 }
 
@@ -184,7 +186,7 @@ std::optional<Mesh::Hit> Mesh::first_hit(const Array3d& start, const Array3d& wa
   std::optional<std::uint32_t> met;
   const double far = length(way);
   Stack open;
-  if (far > 0) open.push(0);
+  if (far > std::abs(clearance(start)) - 2 * skin_ && far > 0) open.push(0);
   while (!open.empty()) {
     const Box& box = boxes_[open.pop()];
     if (!meets(box.lower, box.upper, start, way, most, 2 * skin_)) continue;

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "libswarm/clearance.h"
+
 namespace swarmfit {
 
 using Triangle = std::array<std::uint32_t, 3>;  // corners, counter-clockwise as seen from outside
@@ -29,7 +31,8 @@ class Mesh {
     Eigen::Array3d outward;  // unit vector, the gradient of the distance
   };
   Near nearest(const Eigen::Array3d& place) const;
-  bool inside(const Eigen::Array3d& place) const;  // deeper than skin()
+  double clearance(const Eigen::Array3d& place) const { return clearance_.at(place); }  // see Clearance
+  bool inside(const Eigen::Array3d& place) const;                                       // deeper than skin()
 
   // Where the way from `start` to `start` + `way` comes through the surface from outside for the first time; `place` is skin() outside it.
   struct Hit {
@@ -63,6 +66,7 @@ class Mesh {
   std::vector<Box> boxes_;
   std::vector<Pseudonormals> normals_;
   double volume_ = 0, skin_ = 0;
+  Clearance clearance_;
 };
 
 }  // namespace swarmfit

@@ -8,6 +8,7 @@
 #include <limits>
 #include <tuple>
 
+#include "libtrack/ellipsoid.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
@@ -49,9 +50,19 @@ class Run {
   // Lets the world move and agents come and go.
   void prepare(std::int64_t frame, int sub) {
     for (const Schedule& s : plan_.schedules) p_[s.parameter] = s.at(time(frame, sub));
+    if (plan_.feedback && sub == 0 && frame > 0 && frame % plan_.feedback->every == 0) follow(*plan_.feedback);
     lane_.world.advance({frame, sub, time(frame, sub), dt(), lane_.rng}, now_);
     settle(frame, sub);
     if (sub == 0 && frame % kFramesPerSort == 0 && now_.size() >= kSortedFrom) sort();
+  }
+
+  void follow(const DensityFeedback& wanted) {
+    constexpr double kMost = 4;
+    const double density = ellipsoid_density(now_.pos, lane_.world.dims);
+    if (!(density > 0)) return;
+    const double factor = std::pow(density / wanted.density, 1.0 / lane_.world.dims);
+    wider_ = std::clamp(wider_ * factor, 1 / kMost, kMost);
+    for (const std::size_t parameter : wanted.parameters) p_[parameter] = wider_ * lane_.p[parameter];
   }
 
   void sort() {
@@ -148,6 +159,7 @@ class Run {
   State& now_;
   State next_;
   std::vector<double> p_;
+  double wider_ = 1;  // than at the start: parameters that follow the density
   std::unique_ptr<Workspace> work_;
   Neighbours near_;
   struct Turn {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "libswarm/model.h"
@@ -15,6 +16,15 @@ struct Schedule {
   double at(double t) const;
 };
 
+// Parameters that follow how dense the group is. Every `every` frames all of them are multiplied by the root (the third in space) of the
+// density of the ellipsoid of two standard deviations over that which is wanted: by 1/4 to 4 of what they were at the start, taken
+// together.
+struct DensityFeedback {
+  std::vector<std::size_t> parameters;  // rows of the parameter table
+  double density = 1;                   // that is wanted, > 0 [1/unit³, 1/unit²]
+  std::int64_t every = 1;               // >= 1
+};
+
 // What all runs of a batch share.
 struct Plan {
   double frame_dt = 0.01;  // [s]
@@ -22,6 +32,7 @@ struct Plan {
   std::int64_t first_frame = 0;
   std::int64_t frames = 1;  // number of frames to emit, the first included
   std::vector<Schedule> schedules = {};
+  std::optional<DensityFeedback> feedback = {};
   double speed_limit = 1e300;  // a run whose agents exceed it has blown up [unit/s]
 };
 

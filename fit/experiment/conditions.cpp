@@ -110,7 +110,7 @@ void surround(Conditions& c, const WorldFile& file, const std::string& arena) {
     throw InputError(file.path + ": [bounds] shape = 'periodic', where nothing is recorded; expected open, box or sphere");
   if (around.bounds.kind != Bounds::Kind::open) {
     if (arena != "open")
-      throw InputError(fmt::format("`arena` {}: is given beside the bounds of {}; expected one of both", arena, file.path));
+      throw InputError(fmt::format("`arena` {}: is given together with the bounds of {}; expected one of the two", arena, file.path));
     if (around.bounds.kind == Bounds::Kind::box) require_inside(around.bounds, c.recording, file.path);
     c.world.bounds = around.bounds;
   }

@@ -40,7 +40,9 @@ std::vector<Finding> findings(const Scenario& scene, const Film& made) {
   const Witness seen{.agents = made.tracks,
                      .stimuli = &made.stimuli,
                      .forbidden = [&](const Eigen::Array3d& p) { return walls.hold(p, scene.dims) || beyond(scene.bounds, p, scene.dims); },
-                     .enforced = enforced / steps};
+                     .enforced = enforced / steps,
+                     .curve = scene.curve ? &scene.curve->curve : nullptr,
+                     .reach = scene.curve ? scene.curve->reach : 0};
   std::vector<Finding> all;
   for (const Expectation& e : scene.expectations)
     all.push_back({e.name, e.measure, observed(e.measure, seen, questions_of(e)), e.above, e.below, e.published});

@@ -31,14 +31,15 @@ std::vector<ScenarioKey> of_the_file() {
       {"", "parameters", Type::by_name, "values of the model's parameters by name, as swarmfit models NAME lists them"},
       {"", "schedule", Type::by_name, "parameters over time, name = [[time, value], ...]: straight between, constant before and after"},
       {"", "bounds", Type::table, "shape of the arena; open if not given"},
-      {"", "temperature", Type::table, "how many insects there are, from the temperature"},
+      {"", "temperature", Type::table, "how many insects there are, or how dense, from the temperature"},
       {"", "obstacle", Type::tables, "solid bodies that nobody passes through"},
       {"", "stimulus", Type::tables, "what agents fly to or flee from"},
       {"", "goal", Type::tables, "balls that agents head for round obstacles; they need bounds that are a box"},
       {"", "paths", Type::table, "how ways to goals are found"},
       {"", "bridge", Type::table, "a bridge with ants that arrive at both ends"},
+      {"", "curve", Type::table, "a line that agents are led along, in either direction"},
       {"", "start", Type::table, "where and how agents begin; a ball about the middle if not given"},
-      {"", "group", Type::tables, "agents that begin alike"},
+      {"", "group", Type::tables, "agents that begin in the same way"},
       {"", "expect", Type::by_name, "numbers to measure, and what they should be"},
   };
 }
@@ -89,6 +90,11 @@ std::vector<ScenarioKey> of_the_world() {
       {"paths", "repulsion_weight", Type::number, "more of it near obstacles, 0.4 if not given", false, kNotNegative},
       {"paths", "reach", Type::number, "of the repulsion; 2.83 cells if not given", false, kNotNegative},
 
+      {"curve", "file", Type::text, "heart, star, a CSV of points x,y[,z], or an SVG with a polyline, beside this file", true},
+      {"curve", "spacing", Type::number, "mean distance of its key points, of a shape without lengths", false, kPositive},
+      {"curve", "at", Type::place, "where the mean of its key points is put; the origin if not given"},
+      {"curve", "reach", Type::number, "within which a key point is reached; a quarter of their distance if not given", false, kPositive},
+
       {"bridge", "length", Type::number, "", false, kPositive},
       {"bridge", "width", Type::number, "", false, {0, kForever}},
       {"bridge", "mean_interval", Type::number, "mean time between arrivals [s]", false, kPositive},
@@ -101,11 +107,13 @@ std::vector<ScenarioKey> of_the_world() {
 
 std::vector<ScenarioKey> of_agents() {
   return {
-      {"start", "shape", Type::choice, "ball if not given", false, {}, {"ball", "box", "line", "grid", "ring"}},
+      {"start", "shape", Type::choice, "ball if not given", false, {}, {"ball", "box", "line", "grid", "ring", "curve", "recorded"}},
       {"start", "centre", Type::place, "of a ball or a ring"},
-      {"start", "radius", Type::number, "of a ball or a ring", false, kNotNegative},
+      {"start", "radius", Type::number, "of a ball or a ring, or about the key points of the curve", false, kNotNegative},
       {"start", "lower", Type::place, "corner of a box or a grid, end of a line"},
       {"start", "upper", Type::place, "the corner or the end opposite"},
+      {"start", "file", Type::text, "recording, beside this file, whose individuals are where agents begin, and as fast"},
+      {"start", "frame", Type::whole, "of that recording; the first if not given", false, {-1e9, 1e9}},
       {"start", "speed", Type::number, "0.3 if not given", false, kNotNegative},
       {"start", "heading", Type::place, "of all; random if not given"},
 
@@ -118,6 +126,9 @@ std::vector<ScenarioKey> of_agents() {
 
       {"temperature", "celsius", Type::number, "", true, {-50, 60}},
       {"temperature", "volume", Type::number, "of the habitat, in units of the density's; 1 if not given", false, kPositive},
+      {"temperature", "follow", Type::text, "parameters that grow and shrink until the swarm is as dense, by name: \"r_rep, r_att\""},
+      {"temperature", "unit_volume", Type::number, "of the density, with follow; 1 if not given", false, kPositive},
+      {"temperature", "every", Type::number, "time between two looks at the density [s], with follow; 5 if not given", false, kPositive},
 
       {"expect", "measure", Type::text, "with arguments of its own", true},
       {"expect", "above", Type::number, "least value that is allowed"},

@@ -46,7 +46,7 @@ double MeshLines::number(std::size_t at) const {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    refuse(fmt::format("'{}' is no finite number; expected one", shown(text)));
+    refuse(fmt::format("'{}' is not a finite number; expected one", shown(text)));
   return value;
 }
 
@@ -54,7 +54,8 @@ std::int64_t MeshLines::whole(std::size_t at) const {
   const std::string_view text = word(at);
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) refuse(fmt::format("'{}' is no whole number; expected one", shown(text)));
+  if (error != std::errc() || end != text.data() + text.size())
+    refuse(fmt::format("'{}' is not a whole number; expected one", shown(text)));
   return value;
 }
 
@@ -68,7 +69,7 @@ std::shared_ptr<const Mesh> read_mesh(const std::string& name, std::string_view 
   std::string ending = name.substr(std::min(name.rfind('.'), name.size()));
   std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   if (ending != ".obj" && ending != ".stl" && ending != ".ply")
-    throw InputError(fmt::format("{}: is no mesh by its ending; expected .obj, .stl or .ply", name));
+    throw InputError(fmt::format("{}: is not a mesh by its ending; expected .obj, .stl or .ply", name));
   MeshText mesh = ending == ".obj" ? read_obj(name, bytes) : ending == ".stl" ? read_stl(name, bytes) : read_ply(name, bytes);
   for (Eigen::Array3d& corner : mesh.corners) corner = scale * corner + shift;
   try {

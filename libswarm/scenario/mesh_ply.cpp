@@ -40,7 +40,7 @@ Type type_of(const MeshLines& lines, std::string_view word) {
       {"float", Type::f32}, {"float32", Type::f32}, {"double", Type::f64}, {"float64", Type::f64}};
   for (const auto& [name, type] : kNames)
     if (name == word) return type;
-  lines.refuse(fmt::format("'{}' is no type; expected one of PLY's, as int or float", MeshLines::shown(word)));
+  lines.refuse(fmt::format("'{}' is not a type; expected one of PLY's, as int or float", MeshLines::shown(word)));
 }
 
 std::size_t size_of(Type type) {
@@ -53,7 +53,7 @@ std::size_t size_of(Type type) {
 Property property_of(const MeshLines& lines) {
   const auto& words = lines.words();
   const bool list = words.size() == 5 && words[1] == "list";
-  if (!list && words.size() != 3) lines.refuse("is no property; expected property TYPE NAME, or property list TYPE TYPE NAME");
+  if (!list && words.size() != 3) lines.refuse("is not a property; expected property TYPE NAME, or property list TYPE TYPE NAME");
   Property p{std::string(words.back()), type_of(lines, words[words.size() - 2]), list};
   if (list) p.count = type_of(lines, words[2]);
   return p;
@@ -71,7 +71,7 @@ Header header_of(MeshLines& lines) {
     }
     if (words[0] == "format") {
       format = words.size() == 3 && (words[1] == "ascii" || words[1] == "binary_little_endian" || words[1] == "binary_big_endian");
-      if (!format) lines.refuse("is no format; expected format ascii, binary_little_endian or binary_big_endian 1.0");
+      if (!format) lines.refuse("is not a format; expected format ascii, binary_little_endian or binary_big_endian 1.0");
       header.order = words[1] == "ascii" ? Order::text : words[1] == "binary_little_endian" ? Order::little : Order::big;
     } else if (words[0] == "element") {
       const std::int64_t size = lines.whole(2);

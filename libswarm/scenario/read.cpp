@@ -8,12 +8,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "libswarm/centre.h"
+#include "libswarm/scenario/read_start.h"
 #include "libswarm/scenario/surroundings.h"
 #include "libswarm/scenario/table.h"
 #include "libswarm/temperature.h"
 #include "libtrack/error.h"
+#include "libtrack/read/read_curve.h"
 
 namespace swarmfit {
 namespace {
@@ -93,6 +96,21 @@ BridgeShape bridge_of(Table table) {
   return bridge;
 }
 
+CurveToFollow curve_of(Table table, int dims) {
+  const std::string file = table.text("file", std::nullopt);
+  const DrawnCurve drawn = read_curve(file == "heart" || file == "star" ? file : table.beside(file));
+  CurveToFollow way{drawn.curve, 0};
+  if (drawn.in_units && (table.has("spacing") || table.has("at")))
+    table.refuse("file", fmt::format("= '{}' has lengths of its own; expected neither spacing nor at beside it", file));
+  if (!drawn.in_units) {
+    const double factor = table.number("spacing", std::nullopt) / drawn.curve.spacing();
+    way.curve = placed(drawn.curve, factor, table.place("at", Array3d::Zero(), dims), dims == 3);
+  }
+  way.reach = table.number("reach", usual_reach(way.curve));
+  table.finish();
+  return way;
+}
+
 // How it moves is told by the one of these keys that is there.
 void motion_of(Table& table, Stimulus& s, int dims) {
   using enum Stimulus::Motion;
@@ -133,34 +151,6 @@ Stimulus stimulus_of(Table table, int dims) {
   return s;
 }
 
-void shape_of(Table& table, Start& start, int dims, const Bounds& bounds) {
-  const auto shape = table.choice("shape", "ball");
-  using enum Start::Shape;
-  start.shape = shape == "box" ? box : shape == "line" ? line : shape == "grid" ? grid : shape == "ring" ? ring : ball;
-  if (start.shape == ball) {
-    start.radius = table.number("radius", 0);
-    start.centre = table.place("centre", middle_of(bounds), dims);
-    if (table.has("centre") && start.radius == 0) table.refuse("centre", "is given without a radius; expected both");
-  } else if (start.shape == ring) {
-    start.radius = table.number("radius", std::nullopt, kPositive);
-    start.centre = table.place("centre", middle_of(bounds), dims);
-  } else if (start.shape == line) {
-    start.lower = table.place("lower", std::nullopt, dims);
-    start.upper = table.place("upper", std::nullopt, dims);
-  } else {
-    read_corners(table, dims, start.lower, start.upper);
-  }
-}
-
-Start start_from(Table table, int dims, const Bounds& bounds) {
-  Start start;
-  shape_of(table, start, dims, bounds);
-  start.speed = table.number("speed", start.speed);
-  start.heading = table.place("heading", Array3d::Zero(), dims);
-  table.finish();
-  return start;
-}
-
 std::uint8_t kind_of(Table& table, const ModelSpec& spec) {
   if (!table.has("kind")) return 0;
   if (spec.kinds.empty()) table.refuse("kind", fmt::format("is given, but {} has one kind of agents; expected no kind", spec.name));
@@ -169,12 +159,20 @@ std::uint8_t kind_of(Table& table, const ModelSpec& spec) {
   return static_cast<std::uint8_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+// As many as were recorded, where they begin so and nothing else is said.
+int agents_of(Table& table, const Start& start, std::optional<std::int64_t> otherwise) {
+  if (start.shape != Start::Shape::recorded) return static_cast<int>(table.whole("agents", otherwise));
+  const auto there = static_cast<std::int64_t>(start.points.size()), agents = table.whole("agents", there);
+  if (agents > there) table.refuse("agents", fmt::format("= {}, but {} were recorded; expected as many at most", agents, there));
+  return static_cast<int>(agents);
+}
+
 Group group_of(Table table, const Scenario& scene, const Start& otherwise) {
   Group g;
   g.kind = kind_of(table, *scene.model.spec);
-  g.agents = static_cast<int>(table.whole("agents", std::nullopt));
   g.start = otherwise;
-  if (auto start = table.table("start")) g.start = start_from(*start, scene.dims, scene.bounds);
+  if (auto start = table.table("start")) g.start = read_start(*start, scene);
+  g.agents = agents_of(table, g.start, std::nullopt);
   g.arrive = table.number("arrive", g.arrive);
   g.every = table.number("every", 0);
   g.leave = table.number("leave", g.leave);
@@ -184,9 +182,8 @@ Group group_of(Table table, const Scenario& scene, const Start& otherwise) {
 }
 
 // As many as live in the habitat at that temperature.
-int agents_at(Table& table, Table& root, std::size_t groups) {
-  const double celsius = table.number("celsius", std::nullopt), volume = table.number("volume", 1);
-  table.finish();
+int agents_at(Table& table, double celsius, Table& root, std::size_t groups) {
+  const double volume = table.number("volume", 1);
   if (root.has("agents") || groups > 1)
     table.refuse("[temperature] says how many agents there are; expected neither agents nor several [[group]]");
   const double count = std::round(insects_at(celsius) * volume);
@@ -195,19 +192,47 @@ int agents_at(Table& table, Table& root, std::size_t groups) {
   return static_cast<int>(count);
 }
 
+// Parameters that grow and shrink until the swarm is as dense as at that temperature.
+DensityFeedback feedback_of(Table& table, double celsius, const Scenario& scene) {
+  DensityFeedback out;
+  const ModelSpec& spec = *scene.model.spec;
+  std::string names = table.text("follow", std::nullopt);
+  std::replace(names.begin(), names.end(), ',', ' ');
+  std::istringstream words(names);
+  for (std::string name; words >> name;)
+    placed(table.place_of("follow") + "[temperature] follow: ", [&] {
+      out.parameters.push_back(parameter_row(spec, name));
+      if (const Unit unit = spec.parameters[out.parameters.back()].unit; unit.length != 1 || unit.time != 0)
+        throw InputError(fmt::format("{} is not a length; expected radii of {}", name, spec.name));
+    });
+  if (out.parameters.empty()) table.refuse("follow", "names no parameter; expected radii of the model");
+  out.density = insects_at(celsius) / table.number("unit_volume", 1);
+  if (!(out.density > 0)) table.refuse("celsius", fmt::format("= {:g} leaves no insects; expected 9 to 35", celsius));
+  out.every = std::max<std::int64_t>(1, std::llround(table.number("every", 5) / scene.dt));
+  return out;
+}
+
+void read_temperature(Table table, Table& root, Scenario& scene) {
+  const double celsius = table.number("celsius", std::nullopt);
+  if (table.has("follow"))
+    scene.feedback = feedback_of(table, celsius, scene);
+  else
+    scene.groups.front().agents = agents_at(table, celsius, root, scene.groups.size());
+  table.finish();
+}
+
 std::vector<Group> groups_of(Table& root, const Scenario& scene) {
   Start start;
-  if (auto table = root.table("start")) start = start_from(*table, scene.dims, scene.bounds);
+  if (auto table = root.table("start")) start = read_start(*table, scene);
   std::vector<Group> groups;
   for (Table& table : root.tables("group")) groups.push_back(group_of(table, scene, start));
   if (groups.empty()) {
     groups.emplace_back();
-    groups.front().agents = static_cast<int>(root.whole("agents", 100));
+    groups.front().agents = agents_of(root, start, 100);
     groups.front().start = start;
   } else if (root.has("agents")) {
-    root.refuse("agents", "is given beside [[group]]; expected agents of each group");
+    root.refuse("agents", "is given together with [[group]]; expected agents of each group");
   }
-  if (auto table = root.table("temperature")) groups.front().agents = agents_at(*table, root, groups.size());
   std::int64_t all = 0;
   for (const Group& g : groups) all += g.agents;
   if (static_cast<double>(all) > kMostCounted) root.refuse(fmt::format("{} agents; expected at most {}", all, kMostCounted));
@@ -298,9 +323,11 @@ Scenario read_scenario(const std::string& path, const std::string& text) {
   for (const Table& table : root.tables("stimulus")) scene.stimuli.push_back(stimulus_of(table, scene.dims));
   read_paths(root, scene);
   if (auto table = root.table("bridge")) scene.bridge = bridge_of(*table);
+  if (auto table = root.table("curve")) scene.curve = curve_of(*table, scene.dims);
   read_parameters(root, scene);
   read_schedules(root, scene);
   scene.groups = groups_of(root, scene);
+  if (auto table = root.table("temperature")) read_temperature(*table, root, scene);
   read_expectations(root, scene);
   root.finish();
   return scene;

@@ -15,7 +15,8 @@ namespace {
 
 // The world has what the parameter acts on.
 bool has(const Scenario& scene, const std::string& part) {
-  return part.empty() || (part == "stimuli" && !scene.stimuli.empty()) || (part == "goals" && !scene.goals.empty());
+  return part.empty() || (part == "stimuli" && !scene.stimuli.empty()) || (part == "goals" && !scene.goals.empty()) ||
+         (part == "curves" && scene.curve);
 }
 
 double warm_up_time(const Scenario& scene) { return static_cast<double>(scene.warm_up) * scene.dt; }
@@ -37,6 +38,9 @@ template <class Visit>
 void for_each_agent_of(const Scenario& scene, Visit&& visit) {
   std::uint32_t id = 0;
   for (const Group& g : scene.groups) {
+    if (g.start.shape == Start::Shape::recorded && static_cast<std::size_t>(g.agents) > g.start.points.size())
+      throw InputError(
+          fmt::format("`agents`: {} cannot begin where {} were recorded; expected as many at most", g.agents, g.start.points.size()));
     const Start start = settled(g.start, scene.bounds, scene.dims);
     for (Index k = 0; k < g.agents; ++k) visit(g, start, id++, k);
   }
@@ -117,19 +121,21 @@ Scenario plain_scenario(const ModelChoice& model, int dims) {
   return scene;
 }
 
-void set_parameter(Scenario& scene, std::string_view name, double value) {
-  const ModelSpec& spec = *scene.model.spec;
+std::size_t parameter_row(const ModelSpec& spec, std::string_view name) {
   const int row = spec.find(name);
-  if (row < 0) {
-    std::vector<std::string_view> names;
-    for (const Parameter& p : spec.parameters) names.push_back(p.name);
-    throw InputError(fmt::format("{}: {} has no such parameter; expected one of {}", name, spec.name, fmt::join(names, ", ")));
-  }
-  const Parameter& p = spec.parameters[static_cast<std::size_t>(row)];
+  if (row >= 0) return static_cast<std::size_t>(row);
+  std::vector<std::string_view> names;
+  for (const Parameter& p : spec.parameters) names.push_back(p.name);
+  throw InputError(fmt::format("{}: {} has no such parameter; expected one of {}", name, spec.name, fmt::join(names, ", ")));
+}
+
+void set_parameter(Scenario& scene, std::string_view name, double value) {
+  const std::size_t row = parameter_row(*scene.model.spec, name);
+  const Parameter& p = scene.model.spec->parameters[row];
   if (value != 0 && !has(scene, p.needs))
     throw InputError(fmt::format("{0}={1:g}: would do nothing, as there are no {2} here; expected 0, or no {0}", p.name, value, p.needs));
   p.check(value);
-  scene.parameters[static_cast<std::size_t>(row)] = value;
+  scene.parameters[row] = value;
 }
 
 World world_of(const Scenario& scene) {
@@ -150,6 +156,7 @@ World world_of(const Scenario& scene) {
   if (!visits.empty()) world.add(std::make_unique<Presence>(std::move(visits)));
   if (!scene.obstacles.empty()) world.add(std::make_unique<Walls>(scene.obstacles));
   if (scene.bridge) world.add(std::make_unique<Bridge>(*scene.bridge));
+  if (scene.curve) world.add(std::make_unique<CurveGuide>(*scene.curve));
   return world;
 }
 
@@ -179,6 +186,7 @@ Plan plan_of(const Scenario& scene) {
   plan.substeps = scene.steps_per_frame();
   plan.frames = scene.warm_up + scene.frames;
   plan.schedules = scene.schedules;
+  plan.feedback = scene.feedback;
   for (Schedule& schedule : plan.schedules)
     for (auto& key : schedule.keys) key.first += warm_up_time(scene);
   return plan;

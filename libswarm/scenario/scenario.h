@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "libswarm/bridge.h"
+#include "libswarm/curve_guide.h"
 #include "libswarm/model.h"
 #include "libswarm/paths.h"
 #include "libswarm/simulate.h"
@@ -28,15 +29,18 @@ namespace swarmfit {
 // Where and how agents begin.
 struct Start {
   enum class Shape {
-    ball,  // uniform in a ball (disc) about `centre`; radius 0: about the middle of the bounds, a quarter of them wide (in the open 1)
-    box,   // uniform between `lower` and `upper`
-    line,  // evenly spaced from `lower` to `upper`, both included
-    grid,  // on a regular grid that fills the box between `lower` and `upper`
-    ring   // evenly round the horizontal circle about `centre`: in the plane of x and z; in two dimensions of x and y
+    ball,     // uniform in a ball (disc) about `centre`; radius 0: about the middle of the bounds, a quarter of them wide (in the open 1)
+    box,      // uniform between `lower` and `upper`
+    line,     // evenly spaced from `lower` to `upper`, both included
+    grid,     // on a regular grid that fills the box between `lower` and `upper`
+    ring,     // evenly round the horizontal circle about `centre`: in the plane of x and z; in two dimensions of x and y
+    curve,    // each within `radius` of one of `points`, drawn at random
+    recorded  // the k-th at the k-th of `points`, with the k-th of `velocities`
   };
   Shape shape = Shape::ball;
   Eigen::Array3d centre = Eigen::Array3d::Zero(), lower = Eigen::Array3d::Zero(), upper = Eigen::Array3d::Zero();  // [unit]
   double radius = 0;                                                                                               // >= 0 [unit]
+  std::vector<Eigen::Array3d> points = {}, velocities = {};                                                        // [unit], [unit/s]
   double speed = 0.3;                               // of everybody at the start, >= 0 [unit/s]
   Eigen::Array3d heading = Eigen::Array3d::Zero();  // all into this direction; 0: each into a direction drawn at random
 };
@@ -79,7 +83,9 @@ struct Scenario {
   std::vector<Goal> goals = {};
   PathOptions paths = {};                  // to the goals; the grid covers the bounds if it is not given (one cell)
   std::optional<BridgeShape> bridge = {};  // with arrivals of its own
+  std::optional<CurveToFollow> curve = {};
   std::vector<Schedule> schedules = {};
+  std::optional<DensityFeedback> feedback = {};
   std::vector<Group> groups = {Group{}};
   std::vector<Expectation> expectations = {};
 
@@ -89,6 +95,9 @@ struct Scenario {
 
 // A model with the defaults of its table: 100 agents in a reflecting box of side 20 about the origin.
 Scenario plain_scenario(const ModelChoice& model, int dims = 3);
+
+// Row of the model's table. Throws InputError naming those that there are.
+std::size_t parameter_row(const ModelSpec& spec, std::string_view name);
 
 // Throws InputError "name...: what is wrong; what was expected": no such parameter, a value it cannot have, or one that acts on a part of
 // the world which this one has not.

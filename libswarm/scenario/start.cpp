@@ -61,6 +61,12 @@ Array3d on_grid(const Start& s, Index k, Index n, int dims) {
   return place;
 }
 
+Array3d near_points(const Start& s, const Rng& rng, std::uint32_t id, int dims) {
+  const auto u = rng.uniform2(Stream::start, 0, id, 1);
+  const auto point = static_cast<std::size_t>(rng.uniform(Stream::start, 0, id, 3) * static_cast<double>(s.points.size()));
+  return s.points[point] + s.radius * rng.uniform(Stream::start, 0, id, 0) * direction(u, dims);
+}
+
 Array3d on_ring(const Start& s, Index k, Index n, int dims) {
   const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
   const double along = s.radius * std::cos(angle), across = s.radius * std::sin(angle);
@@ -93,6 +99,11 @@ Beginning beginning(const Start& s, const Rng& rng, std::uint32_t id, Index k, I
     case Start::Shape::grid:
       b.pos = on_grid(s, k, n, dims);
       break;
+    case Start::Shape::curve:
+      b.pos = near_points(s, rng, id, dims);
+      break;
+    case Start::Shape::recorded:
+      return {s.points[static_cast<std::size_t>(k)], s.velocities[static_cast<std::size_t>(k)]};
     case Start::Shape::ring:
       b.pos = on_ring(s, k, n, dims);
       break;

@@ -25,14 +25,13 @@ struct MeshFile {
 };
 
 MeshFile mesh_file(const Table& table, const std::string& file) {
-  const std::string& path = table.path();
-  const std::string beside = file.starts_with('/') ? file : path.substr(0, path.find_last_of('/') + 1) + file;
+  const std::string beside = table.beside(file);
   try {
     return {beside, read_file(beside)};
   } catch (const InputError&) {
     for (const ScenarioFile& own : scenario_meshes())
       if (own.name == file) return {file, std::string(own.text)};
-    table.refuse("file", fmt::format("= '{}' is not there; expected a mesh beside {}", file, path));
+    table.refuse("file", fmt::format("= '{}' is not there; expected a mesh beside {}", file, table.path()));
   }
 }
 

@@ -47,6 +47,10 @@ std::string Table::called(std::string_view key) const { return heading_.empty() 
 
 std::string Table::place() const { return at(*path_, node_->line, node_->column, ""); }
 
+std::string Table::beside(const std::string& file) const {
+  return file.starts_with('/') ? file : path_->substr(0, path_->find_last_of('/') + 1) + file;
+}
+
 std::string Table::place_of(std::string_view key) const {
   const Node* node = find(key);
   return node ? at(*path_, node->line, node->column, "") : place();
@@ -60,7 +64,7 @@ bool Table::has(std::string_view key) { return ask(key) != nullptr; }
 std::string Table::text(std::string_view key, std::optional<std::string> otherwise) {
   if (!ask(key) && otherwise) return *otherwise;
   const auto* text = std::get_if<std::string>(&need(key).value);
-  if (!text) refuse(key, "is no text; expected text in quotes");
+  if (!text) refuse(key, "is not text; expected text in quotes");
   return *text;
 }
 
@@ -107,7 +111,7 @@ std::vector<double> Table::numbers_of(std::string_view key, const Node& node) co
   std::vector<double> values;
   const auto add = [&](const Node& item) {
     const auto value = number_of(item);
-    if (!value) refuse(key, "holds what is no finite number; expected numbers");
+    if (!value) refuse(key, "holds what is not a finite number; expected numbers");
     values.push_back(*value);
   };
   if (const auto* items = std::get_if<Node::Array>(&node.value))
@@ -152,7 +156,7 @@ std::vector<std::vector<double>> Table::rows(std::string_view key, std::size_t c
 std::optional<Table> Table::table(std::string_view key) {
   const Node* node = ask(key);
   if (!node) return std::nullopt;
-  if (!std::holds_alternative<Node::Entries>(node->value)) refuse(key, fmt::format("is no table; expected [{}]", key));
+  if (!std::holds_alternative<Node::Entries>(node->value)) refuse(key, fmt::format("is not a table; expected [{}]", key));
   std::string outer = heading_;
   std::erase_if(outer, [](char c) { return c == '[' || c == ']'; });
   return Table(*path_, *node, fmt::format("[{}{}{}]", outer, outer.empty() ? "" : ".", key));
@@ -163,9 +167,9 @@ std::vector<Table> Table::tables(std::string_view key) {
   const Node* node = ask(key);
   if (!node) return all;
   const auto* items = std::get_if<Node::Array>(&node->value);
-  if (!items) refuse(key, fmt::format("is no array of tables; expected [[{}]]", key));
+  if (!items) refuse(key, fmt::format("is not an array of tables; expected [[{}]]", key));
   for (const Node& item : *items) {
-    if (!std::holds_alternative<Node::Entries>(item.value)) refuse(key, fmt::format("is no array of tables; expected [[{}]]", key));
+    if (!std::holds_alternative<Node::Entries>(item.value)) refuse(key, fmt::format("is not an array of tables; expected [[{}]]", key));
     all.emplace_back(*path_, item, fmt::format("[[{}]]", key));
   }
   return all;

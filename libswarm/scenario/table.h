@@ -41,6 +41,7 @@ class Table {
   std::string place_of(std::string_view key) const;
   std::string place() const;
   const std::string& path() const { return *path_; }                              // of the file
+  std::string beside(const std::string& file) const;                              // in the same folder, if it is not an absolute path
   [[noreturn]] void refuse(std::string_view key, const std::string& what) const;  // at the key
   [[noreturn]] void refuse(const std::string& what) const;                        // at the table
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // extend, augment, and curves, as their user runs them.
+#include <string>
+
 #include "tests/cli/program.h"
 
 namespace {
@@ -50,7 +52,25 @@ TEST_F(Program, SimulatesAlongACurve) {
   expect_refused("simulate fastswarm --curve line.csv -o x.csv", "line.csv:2:7");
   expect_refused("simulate boids --curve star -o x.csv", "--curve: boids cannot be led along a curve");
   expect_refused("simulate recorded_motion --curve star -o x.csv", "--curve: recorded_motion is a scenario; expected a model alone");
-  expect_refused("simulate fastswarm --curve star --box 3 -o x.csv", "--curve: agents begin by the curve");
+  expect_refused("simulate fastswarm --curve star --box 3 -o x.csv", "--curve: agents start on the curve");
+}
+
+// Told by the distances that the command prints and `--check` measures, each in its own way.
+TEST_F(Program, LedByTheCurveAgentsStayNearIt) {
+  for (const std::string curve : {"heart", "star"}) {
+    const std::string flight = "simulate fastswarm --curve " + curve + " --agents 60 --frames 60 --warm-up 60 -o out.csv";
+    const auto distance = [](const std::string& said) {  // in distances of the key points: 20 mean steps
+      const auto at = said.find(" mm, ");
+      EXPECT_NE(at, std::string::npos) << said;
+      return std::stod(said.substr(at + 5));
+    };
+    const double led = distance(run(flight).err), loose = distance(run(flight + " --set w_user=0").err);
+    EXPECT_LT(led, 0.5);
+    EXPECT_LT(led, 0.5 * loose);
+    const auto scene = run("simulate " + curve + " --agents 60 --check --json");
+    EXPECT_THAT(scene.out, HasSubstr("\"measure\": \"off_curve\""));
+    EXPECT_THAT(scene.out, Not(HasSubstr("nan")));
+  }
 }
 
 TEST_F(Program, SimulatesWhatLearnsFromARecordingAtItsScale) {

@@ -99,7 +99,7 @@ TEST(World, WhatCannotBeIsRefused) {
   refuses("[bounds]\nshape = \"box\"\nlower = [-1, -2]\nupper = [1, 2]\n", "recorded positions reach");
   refuses("[bounds]\nshape = \"periodic\"\nlower = [-99, -2]\nupper = [99, 2]\n", "expected open, box or sphere");
   refuses("[[obstacle]]\nshape = \"sphere\"\ncentre = [0, 0]\nradius = 3\n", "recorded positions are inside an obstacle");
-  refuses(kCorridor, "`arena` box: is given beside the bounds of corridor.toml; expected one of both", "box");
+  refuses(kCorridor, "`arena` box: is given together with the bounds of corridor.toml; expected one of the two", "box");
 }
 
 }  // namespace

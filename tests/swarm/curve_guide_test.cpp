@@ -27,7 +27,7 @@ std::vector<Array3d> errands(CurveGuide guide, const Array3d& start, std::uint64
 TEST(CurveGuide, LeadsRoundAClosedCurveEitherWay) {
   bool forwards = false, backwards = false;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const auto goals = errands({kSquare, 0.1}, {1.8, 0.1, 0}, seed, 9);  // nearest to key point 1
+    const auto goals = errands(CurveGuide({kSquare, 0.1}), {1.8, 0.1, 0}, seed, 9);  // nearest to key point 1
     const bool on = (goals[0] == kSquare.points[2]).all();
     (on ? forwards : backwards) = true;
     for (std::size_t k = 0; k < 9; ++k) EXPECT_TRUE((goals[k] == kSquare.points[(on ? 2 + k : 8 - k) % 4]).all());
@@ -38,13 +38,13 @@ TEST(CurveGuide, LeadsRoundAClosedCurveEitherWay) {
 TEST(CurveGuide, TurnsRoundAtTheEndsOfAnOpenCurve) {
   const Curve line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, false};
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const auto goals = errands({line, 0.1}, {1, 0, 0}, seed, 7);
+    const auto goals = errands(CurveGuide({line, 0.1}), {1, 0, 0}, seed, 7);
     for (std::size_t k = 0; k < 7; ++k) EXPECT_EQ(goals[k][0] == 1, k % 2 == 1) << k;
   }
 }
 
 TEST(CurveGuide, WaitsUntilTheKeyPointIsReached) {
-  CurveGuide guide(kSquare, 0.5);
+  CurveGuide guide({kSquare, 0.5});
   State state;
   state.spawn(0, {0, 0, 0}, Array3d::Zero());
   const World world;

@@ -88,6 +88,22 @@ TEST(Temperature, SaysHowManyInsectsThereAre) {
               ::testing::ThrowsMessage<InputError>(
                   ::testing::HasSubstr("a.toml:4:11: [temperature] celsius = 40 makes 0 insects; expected 1 to 10000000")));
   EXPECT_THROW(read_scenario("a.toml", top + "agents = 5\n[temperature]\ncelsius = 20\n"), InputError);
+  const auto refused = [&](const std::string& lines) {
+    try {
+      read_scenario("a.toml", top + "agents = 5\n[temperature]\n" + lines);
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused("celsius = 20\nfollow = \"l_r\"\nunit_volume = 2\n"), "");
+  EXPECT_THAT(refused("celsius = 20\nfollow = \"wings\"\n"),
+              ::testing::HasSubstr("a.toml:6:10: [temperature] follow: wings: brownian has no such parameter"));
+  EXPECT_THAT(refused("celsius = 20\nfollow = \"l_r, gamma1\"\n"),
+              ::testing::HasSubstr("gamma1 is not a length; expected radii of brownian"));
+  EXPECT_THAT(refused("celsius = 20\nfollow = \" \"\n"), ::testing::HasSubstr("expected radii"));
+  EXPECT_THAT(refused("celsius = 50\nfollow = \"l_r\"\n"), ::testing::HasSubstr("leaves no insects"));
+  EXPECT_THAT(refused("celsius = 20\nfollow = \"l_r\"\nvolume = 2\n"), ::testing::HasSubstr("volume"));
 }
 
 }  // namespace

@@ -99,9 +99,9 @@ std::string refusal(const std::string& name, const std::string& bytes) {
 }
 
 TEST(MeshFile, SaysWhatIsWrongAndWhere) {
-  EXPECT_THAT(refusal("a.fbx", ""), HasSubstr("a.fbx: is no mesh by its ending; expected .obj, .stl or .ply"));
-  EXPECT_THAT(refusal("a.obj", "v 0 0 0\nv 1 x 0\n"), HasSubstr("a.obj:2: 'x' is no finite number"));
-  EXPECT_THAT(refusal("a.obj", "v 0 0 nan\n"), HasSubstr("a.obj:1: 'nan' is no finite number"));
+  EXPECT_THAT(refusal("a.fbx", ""), HasSubstr("a.fbx: is not a mesh by its ending; expected .obj, .stl or .ply"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 0\nv 1 x 0\n"), HasSubstr("a.obj:2: 'x' is not a finite number"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 nan\n"), HasSubstr("a.obj:1: 'nan' is not a finite number"));
   EXPECT_THAT(refusal("a.obj", "v 0 0\n"), HasSubstr("a.obj:1: 3 words; expected at least 4"));
   EXPECT_THAT(refusal("a.obj", "v 0 0 0\nf 1 2 3\n"), HasSubstr("a.obj:2: '2' is none of the 1 corners before it"));
   EXPECT_THAT(refusal("a.obj", "v 0 0 0\nf 1 1\n"), HasSubstr("a.obj:2: a face of 2 corners"));
@@ -124,10 +124,10 @@ TEST(MeshFile, SaysWhatIsWrongAndWhere) {
 // Messages end at a zero byte, and may be shown on a terminal.
 TEST(MeshFile, WordsOfBinaryFilesAreShownOnOneLine) {
   using namespace std::string_literals;
-  EXPECT_THAT(refusal("a.obj", "v 0 0 \0\x1b[\n"s), HasSubstr("a.obj:1: '\\x00\\x1b[' is no finite number; expected one"));
+  EXPECT_THAT(refusal("a.obj", "v 0 0 \0\x1b[\n"s), HasSubstr("a.obj:1: '\\x00\\x1b[' is not a finite number; expected one"));
   EXPECT_THAT(refusal("a.obj", "v 0 0 0\nf \xff 1 1\n"s), HasSubstr("'\\xff' is none of the 1 corners before it; expected"));
   EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement \0 1\nend_header\n"s), HasSubstr("element \\x00 has no property; expected"));
-  EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement a 1\nproperty \0 b\n"s), HasSubstr("'\\x00' is no type; expected"));
+  EXPECT_THAT(refusal("a.ply", "ply\nformat ascii 1.0\nelement a 1\nproperty \0 b\n"s), HasSubstr("'\\x00' is not a type; expected"));
 }
 
 std::string scene_with(const std::string& obstacle) { return "title = \"t\"\nmodel = \"brownian\"\n[[obstacle]]\n" + obstacle; }

@@ -120,6 +120,21 @@ TEST(Mesh, AgreesWithBruteForce) {
   }
 }
 
+TEST(Mesh, ClearanceIsNeverMoreThanTheDistanceAndNeverOnTheWrongSide) {
+  for (const RawMesh& raw : {star(), torus_mesh(48), box_mesh({-1, -0.5, 0}, {1, 0.5, 0.01})}) {
+    const Mesh mesh = raw.mesh();
+    int known = 0;
+    for (std::uint32_t k = 0; k < 4000; ++k) {
+      const Array3d p = random_place(k, 1.8);
+      const double least = mesh.clearance(p), distance = mesh.nearest(p).distance;
+      ASSERT_LE(std::abs(least), std::abs(distance));
+      ASSERT_GE(least * distance, 0);
+      known += least != 0 ? 1 : 0;
+    }
+    EXPECT_GT(known, 2800);
+  }
+}
+
 TEST(Mesh, WaysMeetItFirstWhereBruteForceSays) {
   const RawMesh raw = star();
   const Mesh mesh = raw.mesh();

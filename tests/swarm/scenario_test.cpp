@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "libswarm/scenario/read.h"
@@ -101,7 +105,7 @@ TEST(ScenarioFile, FaultsAreNamedWithTheirPlace) {
       {"", "dir/scene.toml:1:1: no model; expected model = ..."},
       {"title = \"t\nmodel = 3", "dir/scene.toml:1:"},
       {"title = \"t\"\nmodel = \"birds\"", "dir/scene.toml:2:9: model 'birds': unknown; expected one of bswarm, boids"},
-      {"title = 3\nmodel = \"boids\"", "dir/scene.toml:1:9: title is no text; expected text in quotes"},
+      {"title = 3\nmodel = \"boids\"", "dir/scene.toml:1:9: title is not text; expected text in quotes"},
       {std::string(kTop) + "frams = 3", "dir/scene.toml:3:9: 'frams' is not known; expected one of model, title"},
       {std::string(kTop) + "frames = 0", ":3:10: frames = 0 is not allowed; expected a whole number from 1 to 10000000"},
       {std::string(kTop) + "fps = nan", ":3:7: fps  is not allowed; expected a number from 1e-06 to 1e+09"},
@@ -115,7 +119,7 @@ TEST(ScenarioFile, FaultsAreNamedWithTheirPlace) {
       {std::string(kTop) + "[[obstacle]]\nradius = 3", ":3:1: [[obstacle]] has no shape; expected shape = ..."},
       {std::string(kTop) + "[[stimulus]]\nkind = \"repel\"", "[[stimulus]] is nowhere; expected one of at, path, lead, ring, wander"},
       {std::string(kTop) + "[[stimulus]]\nkind = \"repel\"\npath = [[1, 0, 0, 0], [1, 1, 1, 1]]", "goes from 1 to 1 s; expected times in"},
-      {std::string(kTop) + "agents = 3\n[[group]]\nagents = 4", ":3:10: agents is given beside [[group]]"},
+      {std::string(kTop) + "agents = 3\n[[group]]\nagents = 4", ":3:10: agents is given together with [[group]]"},
       {std::string(kTop) + "[[group]]\nagents = 4\nkind = \"dog\"",
        ":5:8: [[group]] kind is given, but boids has one kind of agents; expected no kind"},
       {std::string(kTop) + "[expect.x]\nmeasure = \"y\"", "[expect.x] bounds nothing; expected above, below or both"},
@@ -254,6 +258,79 @@ TEST(Scenario, ARingStimulusIsAheadOfEveryAgent) {
     const Array3d from = (agent - target) / std::sqrt((agent - target).square().sum());
     EXPECT_LT((near.from - from).abs().maxCoeff(), 1e-12) << angle;
   }
+}
+
+TEST(Scenario, AgentsBeginWhereAndAsFastAsRecorded) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / fmt::format("swarmfit_start_{}.csv", getpid());
+  std::ofstream(file) << "# unit: m\nid,t,x,y,z\na,0,0,0,0\nb,0,1,2,3\na,0.5,1,0,0\nb,0.5,1,1,3\na,1,3,0,0\n";
+  const std::string top = kTop + std::string("dims = 3\n"), start = "[start]\nshape = \"recorded\"\nfile = \"" + file.string() + "\"\n";
+  const Scenario s = read(top + start);
+  ASSERT_EQ(s.agents(), 2);
+  const State state = start_of(s);
+  EXPECT_EQ(Array3d(state.pos.row(1).transpose()).matrix(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(Array3d(state.vel.row(0).transpose()).matrix(), Eigen::Vector3d(2, 0, 0));
+  EXPECT_EQ(Array3d(state.vel.row(1).transpose()).matrix(), Eigen::Vector3d(0, -2, 0));
+  EXPECT_EQ(start_of(read(top + start + "frame = 1\n")).vel(0, 0), 4);
+  EXPECT_EQ(read(top + "agents = 1\n" + start).agents(), 1);
+  EXPECT_THAT(refusal(top + "agents = 3\n" + start), HasSubstr("agents = 3, but 2 were recorded"));
+  EXPECT_THAT(refusal(top + start + "frame = 7\n"), HasSubstr("frame = 7 has nobody in"));
+  EXPECT_THAT(refusal(top + start + "speed = 7\n"), HasSubstr("speed"));
+  EXPECT_THAT(refusal(kTop + std::string("dims = 2\n") + start), HasSubstr("has 3 dimensions, the scene 2"));
+  Scenario more = s;
+  more.groups.front().agents = 3;  // as --agents does
+  EXPECT_THROW(start_of(more), InputError);
+  std::filesystem::remove(file);
+}
+
+TEST(Scenario, ACurveIsAsLargeAsItSaysAndAgentsBeginByIt) {
+  const Scenario s = read(
+      "title = \"t\"\nmodel = \"fastswarm\"\nagents = 50\n[parameters]\nw_user = 1\n"
+      "[curve]\nfile = \"star\"\nspacing = 8\nat = [1, 2, 3]\n[start]\nshape = \"curve\"\n");
+  const Curve& curve = s.curve->curve;
+  EXPECT_NEAR(curve.spacing(), 8, 1e-12);
+  EXPECT_DOUBLE_EQ(s.curve->reach, 2);
+  Array3d middle = Array3d::Zero();
+  for (const Array3d& p : curve.points) middle += p / static_cast<double>(curve.points.size());
+  EXPECT_NEAR((middle - Array3d(1, 2, 3)).abs().maxCoeff(), 0, 1e-12);
+  const State start = start_of(s);
+  for (Index i = 0; i < start.size(); ++i) {
+    double nearest = 1e9;
+    for (const Array3d& p : curve.points) nearest = std::min(nearest, std::sqrt((start.pos.row(i).transpose() - p).square().sum()));
+    EXPECT_LT(nearest, 2);
+  }
+  EXPECT_THAT(refusal("title = \"t\"\nmodel = \"fastswarm\"\n[parameters]\nw_user = 1\n"), HasSubstr("there are no curves here"));
+  EXPECT_THAT(refusal(kTop + std::string("[start]\nshape = \"curve\"\n")), HasSubstr("is a curve that is not there; expected [curve]"));
+  EXPECT_THAT(refusal(kTop + std::string("[curve]\nfile = \"heart\"\n")), HasSubstr("spacing"));
+  EXPECT_THAT(refusal(kTop + std::string("[curve]\nfile = \"nowhere.csv\"\n")), HasSubstr("dir/nowhere.csv"));
+}
+
+// Agents that fly side by side keep their density, so what follows it is multiplied by the same factor every time, up to four.
+TEST(Scenario, WhatFollowsTheDensityIsMultipliedByItsRoot) {
+  Scenario s = plain_scenario(parse_model("boids"));
+  s.bounds = {};
+  s.groups.front().agents = 8;
+  s.groups.front().start = {.shape = Start::Shape::grid, .lower = {0, 0, 0}, .upper = {2, 2, 2}, .heading = {1, 0, 0}};
+  set_parameter(s, "speed", 1);
+  set_parameter(s, "radius", 0.01);
+  s.frames = 41;
+  s.dt = 0.1;
+  // Corners of a cube of side 1: variance 1/4 along every axis, so the ellipsoid has the radius 1, and 8 / (4/3 pi) of them are in a unit.
+  const double density = 8 / (4 * std::numbers::pi / 3);
+  s.feedback = DensityFeedback{{parameter_row(*s.model.spec, "speed")}, density / std::pow(1.5, 3), 10};
+  TrackCollector seen;
+  play(s, seen);
+  const Tracks tracks = seen.take(meta_of(s));
+  const auto rows = tracks.rows_of(0);
+  const auto way = [&](std::size_t from) { return tracks.pos()(rows[from + 1], 0) - tracks.pos()(rows[from], 0); };
+  EXPECT_NEAR(way(5), 0.1, 1e-9);
+  EXPECT_NEAR(way(15), 0.15, 1e-9);
+  EXPECT_NEAR(way(25), 0.225, 1e-9);
+  EXPECT_NEAR(way(35), 0.3375, 1e-9);
+  s.feedback->density = density / 1e6;
+  TrackCollector again;
+  play(s, again);
+  const Tracks fast = again.take(meta_of(s));
+  EXPECT_NEAR(fast.pos()(fast.rows_of(0)[16], 0) - fast.pos()(fast.rows_of(0)[15], 0), 0.4, 1e-9);
 }
 
 TEST(Scenario, StartsAreAsTold) {
