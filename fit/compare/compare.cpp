@@ -5,62 +5,21 @@
 #include <cmath>
 #include <optional>
 
+#include "fit/compare/appearance.h"
 #include "fit/compare/calibration.h"
 #include "fit/compare/certainty.h"
 #include "fit/compare/common_dynamics.h"
 #include "fit/compare/facts.h"
-#include "fit/compare/force_view.h"
 #include "fit/compare/hold_out.h"
 #include "fit/compare/rank.h"
-#include "fit/compare/refute.h"
 #include "fit/compare/sensitivity.h"
-#include "fit/compare/skill_assessment.h"
-#include "fit/compare/skill_warnings.h"
+#include "fit/compare/warnings.h"
 #include "fit/compare/without_one.h"
-#include "fit/experiment/film.h"
-#include "fit/experiment/scenery.h"
 #include "fit/model_fit/model_fit_of.h"
-#include "libtrack/cut.h"
 #include "libtrack/error.h"
 
 namespace swarmfit {
 namespace {
-
-constexpr std::size_t kForceRuns = 8;  // of whose forces the median is drawn
-
-// What is seen of a final replicate beside its score; of the first one also its scales and the film.
-struct View {
-  AssessedRun assessed;
-  Scales scales;
-  FilmStrip film;
-  Pictures pictures;
-  ForceCurves forces;
-};
-auto fields(View& v) { return std::tie(v.assessed, v.scales, v.film, v.pictures, v.forces); }
-
-// What a model looks like, from what was seen of its final replicates.
-void add_likeness(ModelFit& fit, const std::vector<std::string>& views, const SkillAssessment& assessment, const Tracks& recording) {
-  std::vector<AssessedRun> assessed;
-  std::vector<Pictures> seen;
-  std::vector<ForceCurves> forces;
-  Scales scales;
-  for (const std::string& bytes : views) {
-    View view = from_bytes<View>(bytes);
-    if (assessed.empty()) {
-      fit.film = film_of(std::move(view.film), recording);
-      scales = view.scales;
-    }
-    assessed.push_back(std::move(view.assessed));
-    seen.push_back(std::move(view.pictures));
-    forces.push_back(std::move(view.forces));
-  }
-  fit.likeness = assessment.likeness(assessed);
-  fit.likeness.pictures = picture_spread(seen);
-  fit.likeness.forces = force_spread(forces);
-  fit.likeness.extent = scales.extent;
-  fit.likeness.spacing = scales.spacing;
-  fit.likeness.speed = scales.speed;
-}
 
 RunRecord run_record(const CompareOptions& options) {
   RunRecord out;
@@ -152,14 +111,6 @@ void rank_models(Comparison& result, Trial trial, std::optional<HoldOut>& held, 
   describe_ranking(result, trial);
 }
 
-std::vector<Warning> all_warnings(const Comparison& result) {
-  std::vector<Warning> out;
-  for (const auto& some : {warnings_of_facts(result), warnings_for(result), warnings_of_skill(result), warnings_of_learning(result)})
-    out.insert(out.end(), some.begin(), some.end());
-  std::stable_sort(out.begin(), out.end(), [](const Warning& a, const Warning& b) { return a.gravity < b.gravity; });
-  return out;
-}
-
 bool holds_out(const Tracks& recording, const CompareOptions& options) {
   using When = CompareOptions::HoldOutWhen;
   return options.hold_out == When::always || (options.hold_out == When::worth_it && options.models.size() > 1 && worth_halving(recording));
@@ -172,6 +123,39 @@ PerColumn<bool> clear_columns(const ObservationFacts& o) {
   return out;
 }
 
+// A model's search as the comparison shows it; all but its place among the others.
+ModelFit fit_of(const ModelSearch& search, const ModelChoice& model, const CompareOptions& options, std::size_t m) {
+  ModelFit fit = model_fit_of(search);
+  fit.learns = model.spec->needs_reference;
+  if (options.likelihood) fill_likelihood(fit, search, Rng{options.seed}.derive(Stream::probe, m));
+  if (options.posterior) fill_posterior(fit, search, Rng{options.seed}.derive(Stream::posterior, m));
+  return fit;
+}
+
+// Fits as they are ranked, and what says how sure that is.
+Trial tried(Comparison& result, const Calibration& calibration, const Target& target, const Appearance& appearance,
+            const std::optional<HoldOut>& held, const CompareOptions& options) {
+  const Weighting& weighting = calibration.weighting();
+  Trial trial{{}, {{}, {}, {}, {options.seed}}, &target, weighting};
+  std::vector<std::vector<Energies>> selections;
+  for (std::size_t m = 0; m < options.models.size(); ++m) {
+    const ModelSearch& search = calibration.searches()[m];
+    ModelFit fit = fit_of(search, options.models[m], options, m);
+    fit.standing = standing_of(fit.runs, weighting);
+    trial.models.push_back({fit.standing.score, fit.runs.raw_energies});
+    if (held) fit.standing.score = held->scores[m];
+    if (held) add_ranges(fit, *options.models[m].spec, held->values[m]);
+    appearance.show(fit, search.selected().views);
+    trial.bootstraps.of.push_back(
+        bootstrap_of(search.objective(), search.space().parameters(search.selected().x), {options.seed}, options.bootstrap_recordings));
+    selections.push_back(search.selections());
+    result.run.searched.push_back(searched_names(search.space()));
+    result.models.push_back(std::move(fit));
+  }
+  trial.bootstraps.scatter = search_scatter(selections, weighting);
+  return trial;
+}
+
 }  // namespace
 
 Comparison compare(const Tracks& recording, const CompareOptions& wanted, const OnCompareProgress& on_progress, const Runtime& runtime) {
@@ -181,55 +165,27 @@ Comparison compare(const Tracks& recording, const CompareOptions& wanted, const 
   Conditions conditions = make_conditions(recording, options.conditions);
   conditions.metrics.lags = lags_for(conditions, options);
   const Target target(recorded_samples(conditions.recording, conditions.metrics), options.binning);
+  Appearance appearance(conditions, options.models.size());
 
   Comparison result;
   result.run = run_record(options);
+  result.film = appearance.film();
+  result.around = appearance.around();
   result.recording = recording_facts(recording, conditions, target, options);
-  const ObservationFacts& observation = result.recording.observation;
-  const FilmSpan span = film_span(conditions.recording, options.models.size() + 1);
-  result.film = cut(conditions.recording, span.first, span.last);
-  if (const auto* walls = conditions.world.part<Walls>(); walls || conditions.world.bounds.kind != Bounds::Kind::open)
-    result.around = scenery_of(conditions.world.bounds, walls ? walls->obstacles() : std::vector<Obstacle>{}, result.film);
+  result.recording.pictures = appearance.pictures();
+  result.recording.forces = appearance.forces();
 
-  const PictureGrid grid = picture_grid(conditions.recording);
-  result.recording.pictures = {grid, pictures(conditions.recording, grid), timeline(conditions.recording)};
-  const ForceView force_view(conditions.recording);
-  result.recording.forces = force_view.facts();
-  std::optional<SkillAssessment> assessment;
-  const auto view = [&](const Run& run, std::size_t k) {
-    return to_bytes(View{assessment->of(run), k == 0 ? natural_scales(run.seen) : Scales{}, k == 0 ? strip_of(run.seen, span) : FilmStrip{},
-                         pictures(run.seen, grid), run.blew_up || k >= kForceRuns ? ForceCurves{} : force_view.of(run.seen)});
-  };
+  const ObservationFacts& observation = result.recording.observation;
   const std::vector<bool> used(observation.used.begin(), observation.used.end());
-  Calibration calibration(options, conditions, target, used, result.run.history, on_progress, runtime, view);
-  assessment.emplace(conditions, clear_columns(observation), options.seed, runtime);  // computes, so after whatever the searches refuse
-  result.recording.skill = assessment->skill();
-  result.recording.panel = assessment->panel();
+  Calibration calibration(options, conditions, target, used, result.run.history, on_progress, runtime, appearance.view());
+  appearance.assess(clear_columns(observation), options.seed, runtime);  // computes, so after whatever the searches refuse
+  result.recording.skill = appearance.skill().skill();
+  result.recording.panel = appearance.skill().panel();
   result.ranking = calibration.run(result.recording.resolution);
-  const Weighting& weighting = calibration.weighting();
 
   std::optional<HoldOut> held;
   if (holds_out(recording, options)) held = hold_out(recording, wanted, on_progress, runtime);
-  Trial trial{{}, {{}, {}, {}, {options.seed}}, &target, weighting};
-  std::vector<std::vector<Energies>> selections;
-  for (std::size_t m = 0; m < options.models.size(); ++m) {
-    const ModelSearch& search = calibration.searches()[m];
-    ModelFit fit = model_fit_of(search);
-    fit.learns = options.models[m].spec->needs_reference;
-    fit.standing = standing_of(fit.runs, weighting);
-    trial.models.push_back({fit.standing.score, fit.runs.raw_energies});
-    if (held) fit.standing.score = held->scores[m];
-    if (held) add_ranges(fit, *options.models[m].spec, held->values[m]);
-    add_likeness(fit, search.selected().views, *assessment, conditions.recording);
-    if (options.likelihood) fill_likelihood(fit, search, Rng{options.seed}.derive(Stream::probe, m));
-    if (options.posterior) fill_posterior(fit, search, Rng{options.seed}.derive(Stream::posterior, m));
-    trial.bootstraps.of.push_back(
-        bootstrap_of(search.objective(), search.space().parameters(search.selected().x), {options.seed}, options.bootstrap_recordings));
-    selections.push_back(search.selections());
-    result.run.searched.push_back(searched_names(search.space()));
-    result.models.push_back(std::move(fit));
-  }
-  trial.bootstraps.scatter = search_scatter(selections, weighting);
+  Trial trial = tried(result, calibration, target, appearance, held, options);
   rank_models(result, std::move(trial), held, options.budget.final_replicates);
   result.warnings = all_warnings(result);
   return result;

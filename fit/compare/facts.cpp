@@ -19,6 +19,7 @@ namespace {
 constexpr double kScaleOff = 2;        // a mean off by more than this factor is called wrong in scale
 constexpr double kInfeasible = 0.05;   // share of agent-steps without a collision-free velocity worth a warning
 constexpr double kFewIndividuals = 5;  // neighbour statistics of smaller groups say little
+constexpr double kSmallChange = 0.02;  // of a weight, that hardly moves a score
 
 std::string name_of(ConditionOptions::Error e) {
   return e == ConditionOptions::Error::estimate ? "estimate" : e == ConditionOptions::Error::given ? "given" : "none";
@@ -32,7 +33,7 @@ void warn_of_data(const Comparison& r, std::vector<Warning>& out) {
     warn(
         out, Gravity::meaning,
         "Measurement error could not be estimated separately from motion: it is not independent from frame to frame, because the positions "
-        "were smoothed or the motion is rough. Simulations carry none; if you know the error, give it with --obs-noise.");
+        "were smoothed or the motion is rough. Simulations have no error added; if you know the error, give it with --obs-noise.");
 }
 
 // Is the longest lag still too short?
@@ -256,7 +257,7 @@ std::vector<Warning> warnings_for(const Comparison& r) {
   if (!within.empty())
     warn(out, Gravity::note, "Model differences in {} are within sampling noise and were down-weighted.", fmt::join(within, ", "));
   if (r.models.size() > 1 && !r.ranking.weights_converged)
-    warn(out, Gravity::result,
+    warn(out, r.ranking.weight_history.back().largest_change > kSmallChange ? Gravity::result : Gravity::note,
          "The weights had not converged after {} passes (last change {:.3f}); a larger --budget may change the scores.",
          r.ranking.weight_history.size(), r.ranking.weight_history.back().largest_change);
   for (const auto& model : r.models) {

@@ -7,12 +7,10 @@
 namespace swarmfit {
 
 // Per column, the difference of energies that the recording can tell: the larger of
-//   - the energy by which it scatters about the process that made it: halves of it hold half the samples each, so the recording is half as
-//   far from the
-//     process as they are from one another (unless options.resolution is false, or it has too few frames);
-//   - where the column is error_dominated in localisation error, the energy between the recording and itself with the same error once more:
-//   what
-//     could be gained by misjudging the error is not to decide.
+//   - the energy by which it scatters about the process that made it. Halves of it hold half the samples each, so the recording is half as
+//     far from the process as they are from one another. Not if options.resolution is false, or it has too few frames.
+//   - where the column is mostly localisation error, the energy between the recording and itself with the same error once more: what could
+//     be gained by misjudging the error is not to decide.
 PerColumn<double> resolution(const Conditions&, const Target&, const CompareOptions&, const PerColumn<bool>& error_dominated);
 
 ObservationFacts observation_facts(const Conditions& conditions, const Target& target, const CompareOptions& options);

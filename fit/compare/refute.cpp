@@ -78,11 +78,11 @@ std::string duration(double value, double error, double longest) {
 std::string sentence(const Refutation& f, const Comparison& r) {
   if (f.item.key == "vacf_zero") {
     const double longest = r.recording.panel.lags.empty() ? kNaN : r.recording.panel.lags.back();
-    return fmt::format("its velocities keep their direction {} (first zero of the autocorrelation), the recording's {}",
+    return fmt::format("velocities keep their direction {} (first zero of the autocorrelation), in the recording {}",
                        duration(f.model, f.sd, longest), duration(f.recording.value, f.recording.se, longest));
   }
   const std::string unit = unit_of(f.item, r.recording.data.unit);
-  return fmt::format("its {} is {}, the recording's {}", f.item.name, plus_minus(f.model, f.sd, unit),
+  return fmt::format("the {} is {}, in the recording {}", f.item.name, plus_minus(f.model, f.sd, unit),
                      plus_minus(f.recording.value, f.recording.se, unit));
 }
 
@@ -110,7 +110,7 @@ std::vector<Warning> warnings_of_facts(const Comparison& r) {
     std::vector<std::string> facts;
     for (const Refutation& f : m.likeness.refuted_by) facts.push_back(sentence(f, r));
     out.emplace_back(
-        Gravity::result,
+        Gravity::claim,
         fmt::format("Simple observables contradict {} as fitted: {} (± scatter of single simulations; ± standard error of the recording).",
                     m.model, fmt::join(facts, "; ")));
   }

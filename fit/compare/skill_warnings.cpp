@@ -29,14 +29,15 @@ bool no_interaction(const SkillFacts& s) { return s.interaction_p[0] > kAlpha &&
 void warn_of_walk(const Comparison& r, std::vector<Warning>& out) {
   const SkillFacts& s = r.recording.skill;
   if (s.memory_p > kAlpha)
-    warn(out, Gravity::result,
+    warn(out, Gravity::claim,
          "No detectable memory of direction: the recording cannot be distinguished from random walks of its own steps (p = {:.2f}, {} "
          "walks), "
          "so the ranking says little about how the animals steer.",
          s.memory_p, s.surrogates);
   else if (r.ranking.walk_suffices)
-    warn(out, Gravity::result,
-         "No model is closer to the recording than a random walk of its own steps (skill {:.2f}; {}, the best, {:.2f} ± {:.2f}).",
+    warn(out, Gravity::claim,
+         "No model is closer to the recording than a random walk of its own steps (the walk's skill is {:.2f}; the best model, {}, has "
+         "{:.2f} ± {:.2f}).",
          s.walker.value, by_skill(r).front()->model, by_skill(r).front()->likeness.skill.value, by_skill(r).front()->likeness.skill.se);
   if (s.null_of == SkillNull::places)
     warn(out, Gravity::note,
@@ -52,7 +53,7 @@ void warn_of_rejected(const Comparison& r, std::vector<Warning>& out) {
   if (!(first.standing.certainty.gof_p <= kAlpha) ||
       !(first.likeness.skill.value >= 1 - std::hypot(kStandardErrors * first.likeness.skill.se, floor_error)))
     return;
-  warn(out, Gravity::result,
+  warn(out, Gravity::claim,
        "{} is rejected although its skill is {:.2f}: each metric alone is about as close as two halves of the recording are to each other, "
        "but all metrics together differ (fit p {} {:.2f}). Trust fit p.",
        first.model, first.likeness.skill.value, first.standing.certainty.gof_p * (1 + r.ranking.bootstrap_recordings) < 1.5 ? "≤" : "=",
@@ -111,7 +112,7 @@ void warn_of_basis(const Comparison& r, std::vector<Warning>& out) {
   }
   if (more)
     warn(out, Gravity::note,
-         "No fully weighted metric distinguishes the recording from its surrogates, so skill rests on all defined metrics.");
+         "No metric with full weight distinguishes the recording from its surrogates, so skill is computed from all defined metrics.");
   else if (!missing.empty())
     warn(out, Gravity::note, "Skill leaves out {}: an eighth of the recording is too short for this lag.", fmt::join(missing, ", "));
 }
@@ -124,14 +125,14 @@ std::vector<Warning> warnings_of_learning(const Comparison& r) {
     if (!m.learns) continue;
     const Nearness& n = m.standing.held_out.nearness;
     if (!r.recording.hold_out.used())
-      warn(out, Gravity::result,
-           "{} learns from the recording that it is judged on, so its score and its place are no evidence; use --holdout yes, "
-           "which judges it on what it did not learn from.",
+      warn(out, Gravity::claim,
+           "{} learns from the recording that it is judged on, so its score and rank are not evidence; --holdout yes scores it on data "
+           "that it did not learn from.",
            m.model);
     else if (std::isfinite(n.simulated) && n.recorded > 0)
       warn(out, Gravity::meaning,
-           "{} learns from the half that is fitted. Over {} frames its paths on the other half lie {:.2f} times as far from "
-           "the nearest path that it has seen as the recorded ones do{}.",
+           "{} learns from the half that is fitted. On the other half, its paths of {} frames lie {:.2f} times as far from the nearest "
+           "path that it has seen as the recorded paths do{}.",
            m.model, n.frames, n.simulated / n.recorded, n.simulated < kRepeats * n.recorded ? ": it repeats what it has seen" : "");
   }
   return out;
@@ -141,7 +142,7 @@ std::vector<Warning> warnings_of_skill(const Comparison& r) {
   std::vector<Warning> out;
   warn_of_walk(r, out);
   if (no_interaction(r.recording.skill))
-    warn(out, Gravity::meaning,
+    warn(out, Gravity::claim,
          "No detectable interaction: neighbour distances and velocity differences are similar to those of the same tracks shifted in time "
          "(p = "
          "{:.2f} and {:.2f}, {} surrogates), so this ranking compares individual motion, not interaction.",

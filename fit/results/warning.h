@@ -8,6 +8,7 @@
 namespace swarmfit {
 
 enum class Gravity {
+  claim,    // a conclusion that the ranking seems to invite does not hold
   result,   // the ranking or the best model may be wrong
   meaning,  // the ranking stands, but says less than it seems to
   note,     // good to know

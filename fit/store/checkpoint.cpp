@@ -46,7 +46,7 @@ void require_same_run(const std::string& path, std::string_view bytes, const Run
   };
   std::string expected = head(run);
   if (bytes.starts_with(expected)) return;
-  if (!bytes.starts_with(kMagic)) refuse("is no checkpoint, or its head is damaged");
+  if (!bytes.starts_with(kMagic)) refuse("is not a checkpoint, or its head is damaged");
   std::string_view wanted = expected;
   line(bytes), line(wanted);
   if (const auto version = line(bytes); version != line(wanted))
@@ -84,7 +84,7 @@ void Checkpoint::merge(std::span<const std::string> paths, const std::string& to
   for (const std::string& path : paths) {
     const std::string bytes = read_file(path);
     const std::string_view head = head_of(bytes);
-    if (head.empty()) throw InputError(path + ": is no checkpoint, or its head is damaged; expected that of a part");
+    if (head.empty()) throw InputError(path + ": is not a checkpoint, or its head is damaged; expected that of a part");
     if (path == paths.front()) all.head_ = head;
     if (all.head_ != head)
       throw InputError(

@@ -165,8 +165,9 @@ std::vector<Scenario> scenes_of(const SweepOptions& options, const Sweep& sweep)
 
 void require_parameter(const SweepAxis& axis, const Scenario& scene) {
   if (scene.model.spec->find(axis.name) < 0)
-    throw InputError(fmt::format("`hysteresis`: {} is no parameter of {}; expected one along the first axis, which changes while it runs",
-                                 axis.name, scene.model.spec->name));
+    throw InputError(
+        fmt::format("`hysteresis`: {} is not a parameter of {}; expected one along the first axis, which changes while it runs", axis.name,
+                    scene.model.spec->name));
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ TEST_F(JournalTest, RefusesAnotherRun) {
   EXPECT_THAT(open({kRun.version, "fedcba", kRun.config}), ThrowsMessage<InputError>(HasSubstr("another recording")));
   EXPECT_THAT(open({kRun.version, kRun.recording, "x"}), ThrowsMessage<InputError>(HasSubstr("other settings")));
   write("id,x,y\n");
-  EXPECT_THAT(open(kRun), ThrowsMessage<InputError>(HasSubstr("is no checkpoint")));
+  EXPECT_THAT(open(kRun), ThrowsMessage<InputError>(HasSubstr("is not a checkpoint")));
   fs::remove(path());
   EXPECT_THAT(open(kRun), ThrowsMessage<InputError>(HasSubstr("no such file")));
 }

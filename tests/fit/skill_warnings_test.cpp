@@ -43,8 +43,8 @@ TEST(LearningWarnings, SayWhatThePlaceOfACopierIsWorth) {
   c.recording.hold_out.ways = {{1, 240, 261, 500, {}, {}}};
   c.models[0].standing.held_out.nearness = {8, 10, 25};
   EXPECT_THAT(warnings_of_learning(c),
-              ElementsAre(HasSubstr("Over 25 frames its paths on the other half lie 0.80 times as far from the nearest path that it "
-                                    "has seen as the recorded ones do.")));
+              ElementsAre(HasSubstr("On the other half, its paths of 25 frames lie 0.80 times as far from the nearest path that it "
+                                    "has seen as the recorded paths do.")));
   c.models[0].standing.held_out.nearness.simulated = 4;
   EXPECT_THAT(warnings_of_learning(c), ElementsAre(HasSubstr("do: it repeats what it has seen.")));
 }
@@ -76,8 +76,8 @@ TEST(SkillWarnings, NoMemoryOfDirection) {
   c.recording.skill.null_of = SkillNull::steps;
   c.recording.skill.walker = {0, 0.01};
   c.models = {named("a", -0.4, 0.01), named("b", -0.1, 0.02)};
-  EXPECT_THAT(warnings_of_skill(c), Contains("No model is closer to the recording than a random walk of its own steps (skill 0.00; b, "
-                                             "the best, -0.10 ± 0.02)."));
+  EXPECT_THAT(warnings_of_skill(c), Contains("No model is closer to the recording than a random walk of its own steps (the walk's skill "
+                                             "is 0.00; the best model, b, has -0.10 ± 0.02)."));
   c.ranking.walk_suffices = false;
   EXPECT_THAT(warnings_of_skill(c), Not(Contains(HasSubstr("random walk"))));
 }
