@@ -42,7 +42,7 @@ void hold(const std::string& dir) {
   // A process that was killed takes a moment to go.
   for (int waited = 0; folder >= 0 && flock(folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++waited) {
     if (waited == kLongestWait)
-      throw InputError(dir + ": another run is writing to it; expected a folder of its own, or that one to have ended");
+      throw InputError(dir + ": another run is writing to it; expected another folder, or wait for that run to end");
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 }
@@ -81,7 +81,7 @@ void remove_checkpoint(const std::string& dir) {
 
 int stopped_before_the_end(const std::string& dir) {
   if (is_unfinished(dir))
-    std::fprintf(stderr, "swarmfit: stopped before the end; to go on: swarmfit resume %s\n", dir.c_str());
+    std::fprintf(stderr, "swarmfit: stopped before the end; to continue: swarmfit resume %s\n", dir.c_str());
   else
     std::fprintf(stderr, "swarmfit: interrupted; nothing was written\n");
   return kInterrupted;

@@ -134,7 +134,7 @@ Values read_config(const std::string& path, const std::string& text, const Comma
     const std::string name(heading.str());
     const bool known = std::any_of(commands().begin(), commands().end(), [&name](const Command& c) { return c.name == name; });
     if (!known || !node.is_table())
-      refuse(path, node, fmt::format("'{}' is no command; expected settings under [{}]", shown(name), command.name));
+      refuse(path, node, fmt::format("'{}' is not a command; expected settings under [{}]", shown(name), command.name));
   }
   const toml::table* mine = all[command.name].as_table();
   if (!mine) throw InputError(fmt::format("{}: says nothing of {}; expected settings under [{}]", path, command.name, command.name));
@@ -142,7 +142,7 @@ Values read_config(const std::string& path, const std::string& text, const Comma
   for (const auto& [key, node] : *mine) {
     if (!find_setting(key.str(), command.bit))
       refuse(path, node,
-             fmt::format("'{}' is no setting of {}; expected one of {}", shown(key.str()), command.name, joined_names(command.bit)));
+             fmt::format("'{}' is not a setting of {}; expected one of {}", shown(key.str()), command.name, joined_names(command.bit)));
     values.set(key.str(), words_of(path, node, key.str()));
   }
   return values;

@@ -92,15 +92,14 @@ int convert(const Arguments& a) {
 int simulate(const Arguments& a) {
   if (a.out.empty() && a.picture.empty() && a.html.empty() && !a.check)
     throw InputError("simulate: nothing to write; expected --out FILE, --picture FILE, --html FILE or --check");
-  Scenario scene = scenario_of(a.scene);
+  const Scenario scene = scenario_of(a.scene);
   check_expectations(scene);
   if (a.check && scene.expectations.empty())
     throw InputError(fmt::format("--check: {} expects nothing; expected a scenario with [expect.NAME]", scene.name));
-  const Film made = a.scene.curve.empty() ? film(scene, {.sigma = a.scene.noise, .dropout = a.scene.dropout}) : along_curve(a.scene, scene);
+  const Film made = film(scene, {.sigma = a.scene.noise, .dropout = a.scene.dropout});
   const Tracks& tracks = made.tracks;
   const Scenery around = scenery_of(scene, made);
-  if (!a.common.quiet)
-    for (const std::string& note : tracks.meta().from.notes) std::fprintf(stderr, "swarmfit: %s\n", note.c_str());
+  if (!a.common.quiet && scene.curve) std::fprintf(stderr, "swarmfit: %s\n", drawn_text(scene, tracks).c_str());
   if (!a.out.empty()) write_tracks(a.out, {tracks, bodies_of(around, scene.dims), &made.stimuli});
   if (!a.picture.empty()) write_file_atomically(a.picture, picture_svg(tracks, scene.model.name, around));
   if (!a.html.empty()) {

@@ -58,7 +58,7 @@ void write_timing(const std::string& dir, double seconds, const Tally& tally) {
 // After an interruption: nothing that was kept is simulated again.
 void say_what_was_taken_up(const Arguments& a, const Tally& tally) {
   if (a.resume && !a.common.quiet)
-    std::fprintf(stderr, "%lld simulations taken up, %lld made now\n", static_cast<long long>(tally.found),
+    std::fprintf(stderr, "%lld simulations from before the interruption, %lld new ones\n", static_cast<long long>(tally.found),
                  static_cast<long long>(tally.made));
 }
 

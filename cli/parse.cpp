@@ -60,7 +60,7 @@ std::map<std::string, std::map<std::string, double>> parse_planted(const std::ve
   std::map<std::string, std::map<std::string, double>> out;
   for (const auto& [name, value] : parse_assignments(texts)) {
     const auto dot = name.rfind('.');
-    if (dot == std::string::npos) throw InputError(fmt::format("'{}' names no model; expected model.parameter=value", shown(name)));
+    if (dot == std::string::npos) throw InputError(fmt::format("'{}' does not name a model; expected model.parameter=value", shown(name)));
     out[parse_model(name.substr(0, dot)).name][name.substr(dot + 1)] = value;
   }
   return out;
@@ -123,7 +123,8 @@ Binning binning(const std::string& normalisation, const Values& others) {
   if (bins > 0) b.bins = bins;
   const std::string scoring = others.text("scoring");
   if (scoring == "proper" && b.normalisation == Normalisation::separate)
-    throw InputError("separate beside --scoring proper: runs have no common axes to be scored on; expected --scoring pooled");
+    throw InputError(
+        "separate together with --scoring proper: simulations would have no common axes to be scored on; expected --scoring pooled");
   if (!scoring.empty()) b.pooled = scoring == "pooled";
   return b;
 }

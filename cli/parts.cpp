@@ -39,7 +39,7 @@ Part parse_part(const std::string& text) {
     const auto of = std::from_chars(number.ptr + 1, end, part.of);
     if (of.ec == std::errc() && of.ptr == end && part.number >= 1 && part.number <= part.of) return part;
   }
-  throw InputError(fmt::format("{} is no part; expected k/n with k from 1 to n, as in 3/20", text));
+  throw InputError(fmt::format("{} is not a part; expected k/n with k from 1 to n, as in 3/20", text));
 }
 
 int part_done(const std::string& dir, const Part& part, bool quiet) {

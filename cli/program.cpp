@@ -122,7 +122,8 @@ class Parser {
     return slot.option->results();
   }
 
-  CLI::App app_{"swarmfit - which model explains my tracks, with which parameters, and how sure can I be?", "swarmfit"};
+  CLI::App app_{"swarmfit - which model of collective motion moves most like my animals, with which parameters, and how sure can I be?",
+                "swarmfit"};
   std::deque<Subcommand> subcommands_;
   Values configured_;
 };

@@ -73,7 +73,7 @@ int report(const Arguments& a) {
     for (RunFile& file : run_files(a.dir, format)) jobs.push_back({std::move(file), format == "pdf"});
   const std::string out = a.out.empty() ? beside(a.dir) : a.out;
   if (std::filesystem::exists(out) && !std::filesystem::is_directory(out))
-    throw InputError("`out` " + out + ": is no folder; expected one");
+    throw InputError("`out` " + out + ": is not a folder; expected one");
   setenv("SOURCE_DATE_EPOCH", "0", 0);  // no clock in a PDF: the same figure, the same bytes
   for (const Job& job : jobs)
     if (job.convert) {

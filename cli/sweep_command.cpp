@@ -79,7 +79,8 @@ void refuse_impossible(const SweepOptions& o) {
   if (o.latin == 0 && o.axes.size() > kMostAxes)
     throw InputError(
         fmt::format("`axis`: {} of them make no grid that can be drawn; expected {} at most, or `latin`", o.axes.size(), kMostAxes));
-  if (o.hysteresis && o.latin > 0) throw InputError("`hysteresis`: there is no way up and down a Latin hypercube; expected one of both");
+  if (o.hysteresis && o.latin > 0)
+    throw InputError("`hysteresis`: a Latin hypercube has no axis to go up and down; expected one of the two");
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
       {.name = "protocol",
        .in = kComparisons,
        .help = "default, or ren2016, the paper's literal choices (docs/ren2016.md): its five models, noises and parameters, the genetic "
-               "algorithm alone, z-scores of each set by itself, no measurement error or rounding, the fewest steps, lag 1; flags given "
-               "beside it win",
+               "algorithm alone, z-scores of each set by itself, no measurement error or rounding, the fewest steps, lag 1; other flags "
+               "override it",
        .allowed = one_of({"default", "ren2016"}),
        .initial = "default",
        .use =
@@ -47,9 +47,8 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
            }},
       {.name = "search",
        .in = kComparisons,
-       .help = "full (default): least-squares steps in the genetic algorithm, a refinement after it, and settings of one model learn from "
-               "each other; "
-               "genetic: the genetic algorithm alone, as published",
+       .help = "full (default): least-squares steps in the genetic algorithm, a refinement after it, and variants of one model share what "
+               "they find; genetic: the genetic algorithm alone, as published",
        .allowed = one_of({"full", "genetic"}),
        .initial = "full",
        .ren2016 = "genetic",
@@ -57,7 +56,8 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
        .use = [](Arguments& a, const Value& v) { a.compare.evolution_only = v.text() == "genetic"; }},
       {.name = "searched",
        .in = kComparisons,
-       .help = "which parameters: all that matter (default), or published, those of Ren et al. 2016 alone; --set, --fix and --bounds win",
+       .help = "which parameters: all that matter (default), or published: only those of Ren et al. 2016; --set, --fix and --bounds "
+               "override it",
        .allowed = one_of({"all", "published"}),
        .initial = "all",
        .ren2016 = "published",
@@ -86,7 +86,7 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
            }},
       {.name = "set",
        .in = kFits,
-       .help = "parameter=value, not searched; model.parameter=value for one model",
+       .help = "keep a parameter at a value: parameter=value, or model.parameter=value for one model",
        .allowed = texts(),
        .group = kSearch,
        .use = [](Arguments& a, const Value& v) { a.compare.requests.set = parse_assignments(v.words); }},
@@ -101,7 +101,7 @@ std::vector<Setting> search() {  // NOLINT(readability-function-size): a table
            }},
       {.name = "bounds",
        .in = kFits,
-       .help = "parameter=lower:upper, searched in between",
+       .help = "search a parameter between bounds: parameter=lower:upper",
        .allowed = texts(),
        .group = kSearch,
        .use = [](Arguments& a, const Value& v) { a.compare.requests.bounds = parse_bounds(v.words); }},
@@ -129,7 +129,7 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
        .use = [](Arguments& a, const Value& v) { a.compare.conditions.arena = v.text(); }},
       {.name = "world",
        .in = kFits | kSimulate,
-       .help = "file with [bounds] and [[obstacle]], as in a scenario: walls that nobody passes",
+       .help = "file with [bounds] and [[obstacle]], as in a scenario: walls that no animal passes",
        .group = kConditions,
        .use =
            [](Arguments& a, const Value& v) {
@@ -143,7 +143,7 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
        .use = [](Arguments& a, const Value& v) { a.compare.conditions.population = v.whole<int>(); }},
       {.name = "entry",
        .in = kComparisons,
-       .help = "velocity with which individuals enter simulations: estimated (default) from their first frames, or difference of their "
+       .help = "velocity with which individuals enter simulations: estimated from their first frames (default), or difference of their "
                "first two positions",
        .allowed = one_of({"estimated", "difference"}),
        .initial = "estimated",
@@ -173,8 +173,8 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
            }},
       {.name = "searches",
        .in = kFits,
-       .help = "how often each half is searched, with other seeds: the best fit is scored on the other half, and the scatter is in the "
-               "interval",
+       .help = "searches of each half, each with a seed of its own: the best fit is scored on the other half, and the scatter between "
+               "searches widens the interval",
        .allowed = whole(1, kMostSearches),
        .initial = "1",
        .group = kSearch,
@@ -186,7 +186,7 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
        .use = [](Arguments& a, const Value& v) { a.compare.posterior = v.on(); }},
       {.name = "likelihood",
        .in = kFits,
-       .help = "beside the best parameters, those of maximum likelihood with 95 % intervals, for models whose motion is linear (langevin)",
+       .help = "also the parameters of maximum likelihood with 95 % intervals, for models whose motion is linear (langevin)",
        .allowed = on_or_off(),
        .use = [](Arguments& a, const Value& v) { a.compare.likelihood = v.on(); }},
       {.name = "obs-noise",
@@ -235,8 +235,8 @@ std::vector<Setting> scoring() {  // NOLINT(readability-function-size): a table
        .use = [](Arguments& a, const Value& v) { a.compare.mean_weights = v.text() == "mean"; }},
       {.name = "lags",
        .in = kComparisons | kEvaluate,
-       .help = "measure motion over this many frames, each lag as metrics of its own: 1,4,16; or auto (the default of comparisons), which "
-               "adds to 1 the shortest lag at which no metric of motion of a recording is past the error limit",
+       .help = "numbers of frames over which motion is measured, such as 1,4,16; each lag has metrics of its own. auto (default of "
+               "comparisons): 1, and the shortest lag at which no metric of motion exceeds the error limit",
        .initial = "auto",
        .ren2016 = "1",
        .group = kScoring,
@@ -244,8 +244,8 @@ std::vector<Setting> scoring() {  // NOLINT(readability-function-size): a table
        .use = [](Arguments& a, const Value& v) { a.compare.lags = parse_lags(v.text()); }},
       {.name = "steps",
        .in = kComparisons,
-       .help = "simulation steps per frame: auto (default), as many per model as it takes until half the step changes no energy; fewest, "
-               "as few as are stable; or a number. Models that decide once per frame take one",
+       .help = "simulation steps per frame: auto (default): for each model as many as are needed until halving the step changes no energy; "
+               "fewest: as few as are stable; or a number. Models that decide once per frame always take one",
        .initial = "auto",
        .ren2016 = "fewest",
        .group = kConditions,

@@ -14,13 +14,14 @@ std::vector<Setting> of_extend() {
   return {
       {.name = "onward",
        .in = kExtend,
-       .help = "frames for which tracks go on past their ends; NAME=frames for one individual",
+       .help = "frames by which tracks continue beyond their ends; NAME=frames for one individual",
        .allowed = texts(),
        .initial = "100",
        .use = [](Arguments& a, const Value& v) { a.extending.onward = parse_frames(v.words, 0); }},
       {.name = "bridge",
        .in = kExtend,
-       .help = "longest gap between fragments of one individual to bridge [frames], 0: none, all if not given; NAME=frames for one of them",
+       .help =
+           "longest gap between fragments of one individual to bridge [frames]; 0: none; if not given, all; NAME=frames for one individual",
        .allowed = texts(),
        .use = [](Arguments& a, const Value& v) { a.extending.bridge = parse_frames(v.words, kAnyGap); }},
       {.name = "add",
@@ -39,7 +40,7 @@ std::vector<Setting> synthesis_settings() {
   const std::vector<Setting> pilots = {
       {.name = "model",
        .in = kSyntheses,
-       .help = "the model that flies where nothing was recorded, with settings in brackets; see swarmfit models",
+       .help = "the model that moves where nothing was recorded, with options in brackets; see swarmfit models",
        .initial = "fastswarm",
        .letter = 'm',
        .use = [](Arguments& a, const Value& v) { a.extending.pilot.model = parse_model(v.text()); }},
@@ -50,7 +51,7 @@ std::vector<Setting> synthesis_settings() {
        .use = [](Arguments& a, const Value& v) { a.extending.pilot.set = parse_assignments(v.words); }},
       {.name = "arena",
        .in = kSyntheses,
-       .help = "where simulated agents may be: open, box or sphere about the recorded places, or x0:x1,y0:y1[,z0:z1]",
+       .help = "where simulated agents may be: open, box or sphere about the recorded positions, or x0:x1,y0:y1[,z0:z1]",
        .initial = "open",
        .use = [](Arguments& a, const Value& v) { a.extending.pilot.arena = v.text(); }},
   };

@@ -7,9 +7,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
+#include "libeval/following.h"
+#include "libtrack/ellipsoid.h"
 #include "libtrack/error.h"
 #include "libtrack/nan.h"
 #include "libtrack/quantile.h"
@@ -149,20 +150,9 @@ double speed(const Witness& w, const Questions& asked) {
   });
 }
 
-// Agents per volume of the ellipsoid of two standard deviations.
 double density(const Witness& w, const Questions& asked) {
-  return mean_over(w.agents, asked, [&](const FrameRange& f) {
-    const Array3d middle = centre(w.agents, f);
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (Index row = f.first; row < f.first + f.count; ++row) {
-      const Eigen::Vector3d r = (at(w.agents, row) - middle).matrix();
-      spread += r * r.transpose() / static_cast<double>(f.count);
-    }
-    const int dims = w.agents.dims();
-    const double determinant = dims == 2 ? spread(0, 0) * spread(1, 1) - spread(0, 1) * spread(1, 0) : spread.determinant();
-    const double unit = dims == 2 ? std::numbers::pi * 4 : 4.0 / 3 * std::numbers::pi * 8;
-    return determinant > 0 ? static_cast<double>(f.count) / (unit * std::sqrt(determinant)) : kNaN;
-  });
+  return mean_over(w.agents, asked,
+                   [&](const FrameRange& f) { return ellipsoid_density(w.agents.pos().middleRows(f.first, f.count), w.agents.dims()); });
 }
 
 double count(const Witness& w, const Questions& asked) {
@@ -254,6 +244,14 @@ double present(const Witness& w, const Questions& asked) {
   });
 }
 
+Following along_curve(const Witness& w, const Questions& asked) {
+  return w.curve ? following(w.agents, window(w.agents, asked), *w.curve, w.reach) : Following{};
+}
+
+double off_curve(const Witness& w, const Questions& asked) { return w.curve ? along_curve(w, asked).distance / w.curve->spacing() : kNaN; }
+
+double curve_covered(const Witness& w, const Questions& asked) { return along_curve(w, asked).coverage; }
+
 const std::vector<Behaviour>& table() {
   static const std::vector<Behaviour> all{
       {"polarisation", "length of the mean heading, mean over the times", {}, {}, polarisation},
@@ -277,6 +275,8 @@ const std::vector<Behaviour>& table() {
       {"met", "share of all agents that were within `radius` of a stimulus at any of the times", {"radius"}, {}, met},
       {"arrived", "share of all agents that were between `lower` and `upper` at any of the times", {"lower", "upper"}, {}, arrived},
       {"present", "share of agents between `lower` and `upper`, mean over the times", {"lower", "upper"}, {}, present},
+      {"off_curve", "mean distance from the curve, in mean distances of its key points", {}, {}, off_curve},
+      {"curve_covered", "share of the curve that somebody is near, mean over the times", {}, {}, curve_covered},
   };
   return all;
 }

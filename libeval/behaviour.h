@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "libtrack/curve.h"
 #include "libtrack/tracks.h"
 
 namespace swarmfit {
@@ -20,6 +21,8 @@ struct Witness {
   const Tracks* stimuli = nullptr;                                 // where they were, as tracks; none, or null: there are none
   std::function<bool(const Eigen::Array3d&)> forbidden = nullptr;  // is nobody allowed there? null: everywhere is fine
   double enforced = 0;                                             // share of agents and steps that were pushed apart
+  const Curve* curve = nullptr;                                    // that they are led along; null: there is none
+  double reach = 0;                                                // of its key points
 };
 
 // Numbers by name: `from` and `until` in seconds, both included and all of it if not given; what else the measure takes.

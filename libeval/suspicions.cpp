@@ -155,44 +155,41 @@ std::string sigma_text(const Tracks& tracks, const Localisation& l) {
 Suspected measurement_error(const Tracks& tracks, const Summary& s) {
   const Localisation& l = s.localisation;
   if (l.samples == 0 || !(l.acceleration_share > 0.5 || l.jerk_share > 0.5) || !(l.white || l.rounding)) return {};
-  return Suspicion{
-      "measurement error",
-      fmt::format("{} of {} explains {} of the squared median acceleration and {} of the squared median jerk: these mostly measure "
-                  "the {}; simulate the error too (--obs-noise estimate) or compare at longer time steps.",
-                  l.rounding ? "Rounding of the positions" : "A measurement error", sigma_text(tracks, l), percent(l.acceleration_share),
-                  percent(l.jerk_share), l.rounding ? "file's last digit" : "camera"),
-      ""};
+  return Suspicion{"measurement error",
+                   fmt::format("{} of {} explains {} of the squared median acceleration and {} of the squared median jerk: these mostly "
+                               "measure the {}; simulate the error too (--obs-noise estimate), or compare over longer lags (--lags).",
+                               l.rounding ? "Rounding of the positions" : "A measurement error", sigma_text(tracks, l),
+                               percent(l.acceleration_share), percent(l.jerk_share), l.rounding ? "file's last digit" : "camera"),
+                   ""};
 }
 
 // Simulated motion is exact, and known to be.
 Suspected smoothed(const Tracks& tracks, const Summary& s) {
   const Localisation& l = s.localisation;
   if (l.samples == 0 || l.white || tracks.meta().from.format == "simulated") return {};
-  return Suspicion{
-      "smoothed positions",
-      "Differences of rising order do not level off as with the independent errors of a camera: positions were smoothed, interpolated or "
-      "simulated, or the motion is this rough; if they were smoothed, smooth simulations in the same way before comparing.",
-      ""};
+  return Suspicion{"smoothed positions",
+                   "The errors of positions do not look independent from frame to frame, as those of a camera are: positions were "
+                   "smoothed, interpolated or simulated, or the motion itself is this rough. If they were smoothed, smooth simulations in "
+                   "the same way before comparing.",
+                   ""};
 }
 
 Suspected short_segments(const Summary& s) {
   if (s.segments == 0 || !(s.segment_length.median < 2 * kFramesForJerk)) return {};
-  return Suspicion{
-      "short segments",
-      fmt::format("Half of the {} are no longer than {:g} frames, and {:g} are needed for one value of angular acceleration or jerk: "
-                  "these rest on few, long-tracked individuals.",
-                  counted(s.segments, "unbroken segment"), s.segment_length.median, kFramesForJerk),
-      ""};
+  return Suspicion{"short segments",
+                   fmt::format("Half of the {} are no longer than {:g} frames, and {:g} are needed for one value of angular acceleration "
+                               "or jerk: these metrics come from the few individuals that were tracked for long.",
+                               counted(s.segments, "unbroken segment"), s.segment_length.median, kFramesForJerk),
+                   ""};
 }
 
 Suspected few_individuals(const Summary& s) {
   if (!(s.individuals.median <= kFewIndividuals)) return {};
-  return Suspicion{
-      "few individuals",
-      fmt::format("{:g} individuals in the median frame: if only part of the group was tracked, nearest-neighbour distances are too long "
-                  "(tell how many there were with --population).",
-                  s.individuals.median),
-      ""};
+  return Suspicion{"few individuals",
+                   fmt::format("{:g} individuals in the median frame: if only part of the group was tracked, nearest-neighbour distances "
+                               "are too long (say how many there were with --population).",
+                               s.individuals.median),
+                   ""};
 }
 
 }  // namespace

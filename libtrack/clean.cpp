@@ -83,7 +83,7 @@ Rows times(const Rows& rows, const std::array<double, 3>& factor) {
 Scale parse_scale(const std::string& text) {
   Scale scale;
   const auto fail = [&] {
-    return InputError(fmt::format("'{}' is no scale; expected a factor above 0, as 0.05, 0.05,0.06 (x, y) or 0.05mm/px", text));
+    return InputError(fmt::format("'{}' is not a scale; expected a factor above 0, as 0.05, 0.05,0.06 (x, y) or 0.05mm/px", text));
   };
   std::string_view unit = take_numbers(text, scale.factor);
   if (unit.starts_with(' ')) unit.remove_prefix(1);
@@ -99,7 +99,7 @@ Scale parse_scale(const std::string& text) {
 std::array<double, 3> parse_box(const std::string& text) {
   std::array<double, 3> box{};
   if (!take_numbers(text, box).empty())
-    throw InputError(fmt::format("'{}' is no box; expected its edge, or its edges as 10,20 (x, y) or 10,20,30", text));
+    throw InputError(fmt::format("'{}' is not a box; expected its edge, or its edges as 10,20 (x, y) or 10,20,30", text));
   return box;
 }
 
@@ -173,7 +173,7 @@ Tracks flip_y(const Tracks& tracks) {
   TrackColumns c = tracks.columns();
   for (Rows* rows : {&c.pos, &c.vel, &c.acc})
     if (rows->rows() > 0) rows->col(1) = -rows->col(1);
-  return with_note(std::move(c), tracks.meta(), "y was turned round (-y)");
+  return with_note(std::move(c), tracks.meta(), "y was flipped (-y)");
 }
 
 Tracks thin(const Tracks& tracks, int stride) {

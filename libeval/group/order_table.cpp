@@ -80,8 +80,8 @@ std::vector<const OrderParameter*> order_parameters_named(const std::vector<std:
     } else if (const OrderParameter* p = find_order_parameter(key)) {
       add(*p);
     } else {
-      throw InputError(fmt::format("'{}' is no order parameter; expected all, usual or names such as polarisation, extent (docs/group.md)",
-                                   key.substr(0, 60)));
+      throw InputError(fmt::format(
+          "'{}' is not an order parameter; expected all, usual or names such as polarisation, extent (docs/group.md)", key.substr(0, 60)));
     }
   }
   return out;

@@ -119,7 +119,7 @@ class Assembly {
   // Frame rate and unit come from the file or from the user; both are asked for at once.
   void demand_flags() const {
     if (options_.resample && !(*options_.resample > 0 && std::isfinite(1 / *options_.resample)))
-      throw InputError(fmt::format("`resample`: {} is no frame rate; expected a number above 0", *options_.resample));
+      throw InputError(fmt::format("`resample`: {} is not a frame rate; expected a number above 0", *options_.resample));
     const bool rate = options_.fps || table_.dt > 0 || has(FileColumn::t);
     const bool unit = !options_.unit.empty() || !table_.unit.empty();
     if (!rate && !unit) fail("neither frame rate nor length unit is in the file; expected both, for example `fps` 25 `unit` m");
@@ -129,7 +129,7 @@ class Assembly {
     if (!options_.unit.empty() && !table_.unit.empty() && !same(options_.unit, table_.unit))
       fail(fmt::format("the file states the unit {} but `unit` says {}; expected the same or none given", table_.unit, options_.unit));
     if (options_.fps && !(*options_.fps > 0 && std::isfinite(*options_.fps)))
-      throw InputError(fmt::format("`fps`: {} is no frame rate; expected a number above 0", *options_.fps));
+      throw InputError(fmt::format("`fps`: {} is not a frame rate; expected a number above 0", *options_.fps));
     if (options_.fps && table_.dt > 0) check_rate(table_, options_, 1 / table_.dt, "the file states");
   }
 

@@ -177,7 +177,7 @@ void C3dFile::read_layout() {
 }
 
 C3dFile::C3dFile(const std::string& name, std::string_view bytes) : name_(name), bytes_(bytes) {
-  if (!is_c3d(bytes)) damaged("is no C3D file; expected one");
+  if (!is_c3d(bytes)) damaged("is not a C3D file; expected one");
   const std::size_t start = (byte(0) - 1) * kBlock;
   machine_ = static_cast<Machine>(byte(start + 3));
   read_parameters(start);

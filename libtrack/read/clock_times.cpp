@@ -77,9 +77,9 @@ void settle_dates(RawTable& table, const std::vector<double>& month_first, const
   const auto no_day = impossible(t), no_month = impossible(month_first);
   const bool day = no_day == t.size() && order != "month-first", month = no_month == t.size() && order != "day-first";
   if (day && month)
-    throw InputError(table.place(0) +
-                     ": dates may have the day or the month first, and none in the file tells which; expected `dates` "
-                     "day-first or `dates` month-first");
+    throw InputError(
+        table.place(0) +
+        ": dates may have the day or the month first, and none in the file shows which; expected `dates` day-first or `dates` month-first");
   if (!day && !month)
     throw InputError(fmt::format("{}: the date cannot have the {} first; expected dates in one order",
                                  table.place(order == "month-first" ? no_month

@@ -252,7 +252,7 @@ bool PickleMachine::object(unsigned char opcode) {
     }
     case 0x93: {  // names on the stack
       const PickleValue &name = values_[pop()], &module = values_[pop()];
-      if (name.kind != Kind::text || module.kind != Kind::text) refuse("with a name that is no text");
+      if (name.kind != Kind::text || module.kind != Kind::text) refuse("with a name that is not text");
       callable(module.text, name.text);
       return true;
     }

@@ -21,8 +21,9 @@ void check_on_earth(const RawTable& table) {
   const auto& latitude = table[FileColumn::y];
   for (std::size_t i = 0; i < longitude.size(); ++i)
     if (std::abs(latitude[i]) > 90 || std::abs(longitude[i]) > 360)
-      throw InputError(fmt::format("{}: longitude {:.9g}, latitude {:.9g} is no place on Earth; expected degrees, latitudes from -90 to 90",
-                                   table.place(i), longitude[i], latitude[i]));
+      throw InputError(
+          fmt::format("{}: longitude {:.9g}, latitude {:.9g} is not a place on Earth; expected degrees, latitudes from -90 to 90",
+                      table.place(i), longitude[i], latitude[i]));
 }
 
 }  // namespace

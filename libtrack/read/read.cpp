@@ -76,7 +76,7 @@ void refuse_zeros(const Source& source) {
   const auto zero = source.bytes.find('\0');
   if (zero == std::string_view::npos) return;
   const auto line = 1 + std::count(source.bytes.begin(), source.bytes.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
-  throw InputError(at(source.name, line, 0, "there is a zero byte in it, so it is no text; expected text"));
+  throw InputError(at(source.name, line, 0, "there is a zero byte in it, so it is not text; expected text"));
 }
 
 // A flag about the points of a posture must have had something to choose from.
@@ -91,7 +91,7 @@ void check_point_flags(const RawTable& table, const Reader& reader, const ReadOp
 void check(const ReadOptions& options) {
   if (options.fill_gaps < 0) throw InputError(fmt::format("`fill-gaps`: {} is negative; expected a number of frames", options.fill_gaps));
   if (options.min_confidence && !(*options.min_confidence >= 0 && *options.min_confidence <= 1))
-    throw InputError(fmt::format("`min-confidence`: {} is no confidence; expected a number from 0 to 1", *options.min_confidence));
+    throw InputError(fmt::format("`min-confidence`: {} is not a confidence; expected a number from 0 to 1", *options.min_confidence));
 }
 
 // Recordings can be large: the text goes before anything is built of the table.

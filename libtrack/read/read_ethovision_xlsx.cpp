@@ -127,9 +127,9 @@ std::vector<Track> tracks_of(const std::string& file, const std::vector<Sheet>& 
 }
 
 RawTable read(const Source& source, const ReadOptions& options) {
-  if (!is_zip(source.bytes)) throw InputError(source.name + ": this is no spreadsheet (.xlsx); expected raw data of EthoVision XT");
+  if (!is_zip(source.bytes)) throw InputError(source.name + ": this is not a spreadsheet (.xlsx); expected raw data of EthoVision XT");
   const ZipFile zip(source.name, source.bytes);
-  if (!zip.has(kWorkbook)) throw InputError(source.name + ": this is no spreadsheet (.xlsx); expected raw data of EthoVision XT");
+  if (!zip.has(kWorkbook)) throw InputError(source.name + ": this is not a spreadsheet (.xlsx); expected raw data of EthoVision XT");
   const auto sheets = read_xlsx(source.name, zip);
   const auto tracks = tracks_of(source.name, sheets, options);
   RawTable table;

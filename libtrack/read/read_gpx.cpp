@@ -52,7 +52,7 @@ class GpxReader {
     if (written.empty()) fail(point, "the point has no time; expected one in every point: without times it is a route and no recording");
     const auto time = parse_timestamp(written);
     if (!time || written.find('-') == std::string_view::npos)
-      fail(point, fmt::format("'{}' is no time; expected ISO 8601", written.substr(0, 40)));
+      fail(point, fmt::format("'{}' is not a time; expected ISO 8601", written.substr(0, 40)));
     table_.track.push_back(individual);
     table_[FileColumn::t].push_back(*time);
     table_[FileColumn::x].push_back(degrees(point, "lon"));

@@ -16,7 +16,7 @@ bool recognises(const Source& source, const ReadOptions& options) {
 
 RawTable read(const Source& source, const ReadOptions& options) {
   const auto* contents = source.hdf5();
-  if (!contents) throw InputError(source.name + ": this is no HDF5 file; expected arrays in HDF5");
+  if (!contents) throw InputError(source.name + ": this is not an HDF5 file; expected arrays in HDF5");
   std::vector<NumberArray> arrays;
   std::vector<Hdf5Request> requests;
   for (const auto& object : contents->objects) {

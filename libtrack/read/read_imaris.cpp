@@ -34,7 +34,7 @@ RawTable read(const Source& source, const ReadOptions& options) {
   if (!options.fps) {
     table.dt = 1;
     table.notes.emplace_back(
-        "Time numbers the time points, and Imaris does not tell how far apart they are: one step counts as 1 s (--fps)");
+        "Time numbers the time points, and Imaris does not say how far apart they are: one step counts as 1 s (--fps)");
   }
   auto& z = table[FileColumn::z];
   if (std::all_of(z.begin(), z.end(), [&](double v) { return v == z[0]; })) {

@@ -21,7 +21,7 @@ std::string_view pickled(const Source& source) { return is_pickle(source.bytes) 
 bool is_pickled(const Source& source, const ReadOptions&) { return !pickled(source).empty(); }
 
 Pickle opened(const Source& source) {
-  if (!is_pickled(source, {})) throw InputError(source.name + ": is no Python pickle; expected one");
+  if (!is_pickled(source, {})) throw InputError(source.name + ": is not a Python pickle; expected one");
   return {source.name, pickled(source)};
 }
 

@@ -56,7 +56,7 @@ const Sheet& choose(const std::vector<Sheet>& sheets, const std::string& file, c
 }
 
 RawTable read(const Source& source, const ReadOptions& options) {
-  if (!recognises(source, options)) throw InputError(source.name + ": this is no spreadsheet; expected .xlsx");
+  if (!recognises(source, options)) throw InputError(source.name + ": this is not a spreadsheet; expected .xlsx");
   const auto sheets = read_xlsx(source.name, ZipFile(source.name, source.bytes));
   const auto& sheet = choose(sheets, source.name, options);
   const auto text = as_text(source.name, sheet);

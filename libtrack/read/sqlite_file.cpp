@@ -115,8 +115,8 @@ std::vector<std::vector<double>> SqliteFile::numbers(const std::string& table, c
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const int i = static_cast<int>(c), type = sqlite3_column_type(row, i);
       if (type == SQLITE_TEXT || type == SQLITE_BLOB)
-        throw InputError(
-            fmt::format("{}: table '{}' row {}: {} is no number; expected a number", name_, table, out[0].size() + (c == 0), columns[c]));
+        throw InputError(fmt::format("{}: table '{}' row {}: {} is not a number; expected a number", name_, table, out[0].size() + (c == 0),
+                                     columns[c]));
       out[c].push_back(type == SQLITE_NULL ? kNaN : sqlite3_column_double(row, i));
     }
   });

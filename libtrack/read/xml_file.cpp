@@ -42,7 +42,7 @@ std::shared_ptr<const pugi::xml_document> parse_xml(const std::string& name, std
   auto document = std::make_shared<pugi::xml_document>();
   const auto result = document->load_buffer(bytes.data(), bytes.size());
   if (!result)
-    throw InputError(fmt::format("{}: this is no well-formed XML ({}); expected an undamaged file", at_offset(name, bytes, result.offset),
+    throw InputError(fmt::format("{}: this is not well-formed XML ({}); expected an undamaged file", at_offset(name, bytes, result.offset),
                                  result.description()));
   return document;
 }

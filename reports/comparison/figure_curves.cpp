@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reports/comparison/figure_parts.h"
+#include "reports/comparison/words.h"
 #include "reports/write/number.h"
 
 namespace swarmfit::parts {
@@ -57,6 +58,19 @@ Band band_of(const Wanted& w, const Shown& s) {
   return out;
 }
 
+// The band of the recording, and what lies near it: what is farther away would leave the axis empty.
+plot::Range cropped(const Band& recorded, const std::vector<plot::Curve>& curves) {
+  plot::Range band;
+  for (const plot::Curve* edge : {&recorded.low, &recorded.high})
+    for (const svg::Point& p : *edge) band.include(p.y);
+  const double beyond = kBeyond * (band.upper - band.lower);
+  plot::Range out = band;
+  for (const plot::Curve& curve : curves)
+    for (const svg::Point& p : curve)
+      if (p.y >= band.lower - beyond && p.y <= band.upper + beyond) out.include(p.y);
+  return out;
+}
+
 void draw(svg::Sheet& sheet, const svg::Box& box, const Wanted& w) {
   std::vector<plot::Curve> curves{curve_of(w, *w.recording.mean)};
   for (std::size_t k = 0; k < std::min(kMost, w.models.size()); ++k) curves.push_back(curve_of(w, *w.models[k].mean));
@@ -69,14 +83,7 @@ void draw(svg::Sheet& sheet, const svg::Box& box, const Wanted& w) {
   for (const Band* band : {&recorded, &best})
     for (const plot::Curve* edge : {&band->low, &band->high})
       for (const svg::Point& p : *edge) up.include(p.y);
-  if (w.cropped && !recorded.low.empty()) {
-    plot::Range near;
-    for (const plot::Curve* edge : {&recorded.low, &recorded.high})
-      for (const svg::Point& p : *edge) near.include(p.y);
-    const double beyond = kBeyond * (near.upper - near.lower);
-    up.lower = std::max(up.lower, near.lower - beyond);
-    up.upper = std::min(up.upper, near.upper + beyond);
-  }
+  if (w.cropped && !recorded.low.empty()) up = cropped(recorded, curves);
   // What hardly varies must not fill the panel with its rounding.
   const double room = std::max(0.05 * (up.upper - up.lower), 1e-3 * std::max(std::abs(up.lower), std::abs(up.upper)));
   const double bottom = std::max(w.least, up.lower - room), top = std::min(w.most, up.upper + room);
@@ -99,7 +106,7 @@ double draw_all(svg::Sheet& sheet, const Comparison& c, const std::vector<Wanted
   legend.resize(std::min(kMost, legend.size()));
   const double line = 9;
   sheet.line({4, line - 2.5}, {18, line - 2.5}, {svg::kInk, 1.4, ""});
-  sheet.text({21, line}, svg::plain("recording"));
+  sheet.text({21, line}, svg::plain(what_was_seen(c)));
   const double top = plot::legend_rows(sheet, 66, sheet.width(), line, legend) + 12, width = sheet.width() / static_cast<double>(across);
   double bottom = top;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -152,13 +159,13 @@ Figure curves(const Comparison& c) {
     distances.push_back((static_cast<double>(k) + 0.5) * g.width);
   const std::string unit = c.recording.data.unit;
   svg::Sheet sheet(svg::kTwoColumns);
-  const double height =
-      draw_all(sheet, c,
-               {of_pictures(c, &Pictures::vacf, delays, "delay [s]", "velocity autocorrelation"),
-                of_pictures(c, &Pictures::msd, lags, "delay [s]", fmt::format("mean squared displacement [{}²]", unit), true),
-                of_pictures(c, &Pictures::pairs, distances, fmt::format("distance [{}]", unit), "pair distribution g(r)"),
-                of_pictures(c, &Pictures::headings, distances, fmt::format("distance [{}]", unit), "correlation of headings")},
-               2, 92);
+  const double height = draw_all(
+      sheet, c,
+      {within(of_pictures(c, &Pictures::vacf, delays, "delay [s]", "velocity autocorrelation"), -1, 1),
+       of_pictures(c, &Pictures::msd, lags, "delay [s]", fmt::format("mean squared displacement [{}²]", unit), true),
+       within(of_pictures(c, &Pictures::pairs, distances, fmt::format("distance [{}]", unit), "pair distribution g(r)"), 0, INFINITY),
+       within(of_pictures(c, &Pictures::headings, distances, fmt::format("distance [{}]", unit), "correlation of headings"), -1, 1)},
+      2, 92);
   const std::string caption =
       "Velocity autocorrelation and mean squared displacement relative to the group, pair distribution (1 = evenly spread over the "
       "recording's ellipsoid), and mean cosine between headings of pairs at a distance." +
@@ -182,9 +189,9 @@ Figure forces(const Comparison& c) {
   svg::Sheet sheet(svg::kTwoColumns);
   const double height = draw_all(sheet, c, all, 2, 92);
   const std::string caption =
-      "Forces by regression of accelerations on velocity, place and neighbours, in the recording and, by the same regression, in "
-      "simulations of each fitted model. Attraction below 0 is repulsion. Black: recording, with 2 standard errors. Lines: median of "
-      "eight simulations each; what is far from the recording is cropped.";
+      "Forces by regression of accelerations on velocity, position and neighbours, in the recording and, by the same regression, in "
+      "simulations of each fitted model. Attraction below 0 is repulsion. Black: recording, with 2 standard errors. Lines: median of eight "
+      "simulations each; curves far from the recording are cropped.";
   return {"forces", caption, sheet.document(height, "Forces by regression", caption)};
 }
 

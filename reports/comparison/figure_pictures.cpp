@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reports/comparison/figure_parts.h"
+#include "reports/comparison/words.h"
 #include "reports/draw/paths.h"
 #include "reports/draw/square_map.h"
 #include "reports/write/number.h"
@@ -25,7 +26,7 @@ struct Taken {
 };
 
 std::vector<Taken> taken(const Comparison& c, std::size_t models) {
-  std::vector<Taken> out{{"recording", &c.recording.pictures.recording, &c.film}};
+  std::vector<Taken> out{{what_was_seen(c), &c.recording.pictures.recording, &c.film}};
   for (std::size_t k = 0; k < std::min(models, c.models.size()); ++k)
     out.push_back({c.models[k].model, &c.models[k].likeness.pictures.mean, &c.models[k].film});
   return out;

@@ -15,8 +15,8 @@ namespace {
 
 std::string what_is_needed(const ForceFacts& f) {
   std::string out = "Drag and confinement are always fitted. ";
-  out += f.needed.empty() ? "The accelerations of the recording need nothing else."
-                          : fmt::format("The accelerations of the recording need besides: {} (p ≤ 0.01).", fmt::join(f.needed, ", "));
+  out += f.needed.empty() ? "They suffice to describe the recorded accelerations."
+                          : fmt::format("The recorded accelerations also need: {} (p ≤ 0.01).", fmt::join(f.needed, ", "));
   const auto test = [&](const char* what, double p) {
     if (std::isfinite(p)) out += fmt::format(" Test that pairs {}: p = {}.", what, rounded(p, 2));
   };
@@ -47,11 +47,11 @@ Html forces(const Comparison& c) {
   if (out.text.empty()) return out;
   out += element("p", "", escaped(what_is_needed(c.recording.forces)));
   out += noise_table(c).html();
-  out += element("p", "note",
-                 markup("No model is assumed and nothing is simulated for the recording's curves: accelerations are regressed on velocity, "
-                        "place and neighbours, with the measurement error taken into account. Curves of a model come from its own "
-                        "simulations by the same regression, so they need not be what was put into it. The numbers are in "
-                        "tables/forces.csv."));
+  out += element(
+      "p", "note",
+      markup("No model is assumed and nothing is simulated for the recording's curves: accelerations are regressed on velocity, position "
+             "and neighbours, with the measurement error taken into account. Curves of a model come from its own simulations by the same "
+             "regression, so they need not equal the model's own forces. The numbers are in tables/forces.csv."));
   return out;
 }
 

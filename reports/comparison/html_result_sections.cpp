@@ -103,8 +103,7 @@ std::string prefix_of(const std::string& name) {
 Html svg_figure(const Figure& f, const std::string& title) {
   if (f.svg.empty()) return {};
   Html out = title.empty() ? Html{} : element("h3", "", escaped(title));
-  const bool wide = f.svg.find("width=\"178mm\"") != std::string::npos;
-  out += element("div", wide ? "paper" : "paper half", inline_svg(f.svg, prefix_of(f.name)));
+  out += sheet_of(f.svg, prefix_of(f.name));
   out += element("figcaption", "", escaped(f.caption));
   return element("figure", "wide", out);
 }

@@ -118,7 +118,7 @@ Html data_facts(const Comparison& c, std::string_view what) {
 Html warnings(const Comparison& c) {
   if (c.warnings.empty()) return {};
   Html groups;
-  for (const Gravity gravity : {Gravity::result, Gravity::meaning, Gravity::note}) {
+  for (const Gravity gravity : {Gravity::claim, Gravity::result, Gravity::meaning, Gravity::note}) {
     Html items;
     for (const Warning& warning : c.warnings)
       if (warning.gravity == gravity) items += element("li", "", escaped(in_print(warning.text)));
@@ -158,9 +158,7 @@ Html ranking(const Comparison& c) {
   }
   const Estimate& walker = c.recording.skill.walker;
   if (std::isfinite(walker.value)) {
-    const auto cell = [&](const Quantity& q) {
-      return q.key == "skill" ? number_cell(with_error(walker.value, walker.se, 2)) : text_cell("");
-    };
+    const auto cell = [&](const Quantity& q) { return q.key == "skill" ? number_cell(walker_skill(walker)) : text_cell(""); };
     table.foot(row(name_cell(escaped(kWalk)), cell));
   }
   Html out = table.html();
@@ -209,7 +207,7 @@ Html band_note(const Comparison& c) {
       std::all_of(c.ranking.band.lower.begin(), c.ranking.band.lower.end(), [](const auto& bins) { return bins.empty(); }))
     return {};
   return escaped(
-      fmt::format(" Shaded band: range of 95 % of recordings simulated from {}, bin by bin; a recording inside the band is no misfit.",
+      fmt::format(" Shaded band: range of 95 % of recordings simulated from {}, bin by bin; a recording inside the band is not a misfit.",
                   c.models.front().model));
 }
 
@@ -276,7 +274,7 @@ Html weights(const Comparison& c) {
 Html lags(const Comparison& c) {
   Html out = element("p", "note", escaped(lag_weights(c) + lags_measured(c)));
   if (c.ranking.lags.size() < 3) return out;
-  HtmlTable table("Which lag carried the decision");
+  HtmlTable table("Weight of every lag");
   table.head({column("lag", true), column("over", true), column("columns in the score", true), column("weight", true),
               column("largest share of measurement error", true)});
   for (const LagFacts& l : c.ranking.lags)

@@ -53,9 +53,9 @@ std::string what_was_done(const Comparison& c) {
   const std::string smooth =
       c.recording.observation.smoothing > 0 ? fmt::format(", smoothing ({} frames)", brief(c.recording.observation.smoothing)) : "";
   const std::string fixed = kept_fixed(c);
-  const std::string kept =
-      fmt::format("{} Simulation steps per frame: {}.",
-                  fixed.empty() ? "" : fmt::format(" Kept fixed were {}.", in_print(unit_in_print(fixed))), steps_taken(c));
+  const std::string kept = fmt::format(
+      "{} Simulation steps per frame: {}.",
+      fixed.empty() ? "" : fmt::format(" These parameters were kept fixed: {}.", in_print(unit_in_print(fixed))), steps_taken(c));
   return fmt::format(
       "{} fitted with swarmfit {} to {} frames of {} ({} individuals per frame, frame interval {} s{}). Simulations started from the "
       "recording's positions and velocities under its conditions (presence: {}, arena: {}{}{}). Parameters were searched by differential "
@@ -73,8 +73,8 @@ std::string what_was_done(const Comparison& c) {
 
 constexpr const char* kMetricsDefined =
     "Per individual and frame, with velocities v(k) = (p(k+1) − p(k))/dt: speed v, acceleration a, angular velocity ω, angular "
-    "acceleration α, jerk μ, distance d to the nearest neighbour, and velocity difference η = | |v(nearest)| − |v| | / d. "
-    "Nothing is differenced across a gap.";
+    "acceleration α, jerk μ, distance d to the nearest neighbour, and velocity difference η = | |v(nearest)| − |v| | / d. No difference is "
+    "taken across a gap.";
 
 std::string how_it_is_measured(const Comparison& c) {
   const std::string energy =
@@ -111,7 +111,7 @@ std::string binning_text(const Binning& b) {
 
 std::string lags_measured_at(const Evaluation& e) {
   const std::vector<int> lags = lags_of(e.columns);
-  return lags == std::vector<int>{1} ? "" : fmt::format(" Over l frames, p(k+l) and l dt stand in their place; l = {}.", lags_text(lags));
+  return lags == std::vector<int>{1} ? "" : fmt::format(" At lag l, p(k+l) and l dt replace p(k+1) and dt; l = {}.", lags_text(lags));
 }
 
 }  // namespace

@@ -40,9 +40,10 @@ Html ranking(const Comparison& c) {
       "E = 1 − Σ weight × normalised energy: higher is better, relative to the models listed here; it rests on {} fresh replicates, the "
       "bar is its 95 % interval across recordings of this length. ± is one standard error over the replicates.",
       c.run.budget.final_replicates);
-  return joined(
-      {sections::ranking(c), note(joined({markup("<b>Score</b> "), escaped(score),
-                                          markup(" <b>Skill</b> is independent of the other models: "), escaped(what_skill_means(c))}))});
+  Html about = joined({markup("<b>Score</b> "), escaped(score)});
+  if (const std::string skill = what_skill_means(c); !skill.empty())
+    about += joined({markup(" <b>Skill</b> is independent of the other models: "), escaped(skill)});
+  return joined({sections::ranking(c), note(about)});
 }
 
 Html energies(const Comparison& c) { return sections::heat_map(c); }

@@ -71,7 +71,7 @@ PaperTable ranking(const Comparison& c) {
   const Estimate& walker = c.recording.skill.walker;
   if (std::isfinite(walker.value)) {
     Row row = {std::string(kWalk)};
-    for (const Quantity* q : columns) row.push_back(q->key == "skill" ? in_print(with_error(walker.value, walker.se, 2)) : kUndefined);
+    for (const Quantity* q : columns) row.push_back(q->key == "skill" ? in_print(walker_skill(walker)) : kUndefined);
     t.rows.push_back(std::move(row));
   }
   return t;

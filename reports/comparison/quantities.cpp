@@ -77,8 +77,8 @@ const std::vector<Quantity>& quantities() {
       {"held_out.simulations", "runs for the fits to halves, beside `simulations`",
        [](const ModelFit& m) -> Value { return m.standing.held_out.simulations; }},
       {"held_out.nearness",
-       "median distance of the model's paths from the nearest path of the fitted half, over that of the held-out paths: far below 1 it "
-       "repeats",
+       "median distance of the model's paths from the nearest path of the fitted half, divided by that of the held-out paths; far below 1: "
+       "the model repeats what it has seen",
        [](const ModelFit& m) -> Value { return m.standing.held_out.nearness.ratio(); }},
       {"n_parameters", "parameters that were fitted", [](const ModelFit& m) -> Value { return fitted_parameters(m); }, "fitted",
        Audience::terminal, [](const Comparison&, const ModelFit& m, Audience) { return std::to_string(fitted_parameters(m)); }},

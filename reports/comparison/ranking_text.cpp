@@ -169,9 +169,8 @@ std::string parameters_text(const Comparison& c, TextStyle style) {
   for (const ModelFit& r : c.models)
     if (const std::string values = most_likely_values(r); !values.empty()) likely.push_back(r.model + ": " + values);
   return bullets("Maximum likelihood, 95 % intervals in brackets", likely, Paint::bold, style) +
-         bullets(c.recording.hold_out.used() ? "Fitted parameters (in brackets: between which values the fits to halves lie)"
-                                             : "Fitted parameters",
-                 fits, Paint::bold, style);
+         bullets(c.recording.hold_out.used() ? "Fitted parameters (in brackets: range of the fits to halves)" : "Fitted parameters", fits,
+                 Paint::bold, style);
 }
 
 // What the recording says about the parameters of every model that has a posterior.
@@ -246,7 +245,7 @@ std::string warnings(const Comparison& c, TextStyle style, Detail detail) {
   constexpr std::size_t kFew = 3;
   std::string out;
   if (detail == Detail::all) {
-    for (const Gravity gravity : {Gravity::result, Gravity::meaning, Gravity::note}) {
+    for (const Gravity gravity : {Gravity::claim, Gravity::result, Gravity::meaning, Gravity::note}) {
       std::vector<std::string> some;
       for (const Warning& w : c.warnings)
         if (w.gravity == gravity) some.push_back(w.text);

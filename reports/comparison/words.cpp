@@ -176,8 +176,17 @@ std::string what_ranks_mean(const Comparison& c) {
       c.ranking.bootstrap_recordings, c.models.size() > 1 ? " (at 0.05, adjusted for the number of models)" : "");
 }
 
+std::string what_was_seen(const Comparison& c) { return c.recording.data.format == "simulated" ? "simulation" : "recording"; }
+
+std::string walker_skill(const Estimate& skill) {
+  constexpr double kVanishes = 0.005;  // in two decimals
+  return skill.se < kVanishes ? fixed(skill.value, 2) : with_error(skill.value, skill.se, 2);
+}
+
 std::string_view gravity_title(Gravity gravity) {
   switch (gravity) {
+    case Gravity::claim:
+      return "Rules out a conclusion";
     case Gravity::result:
       return "May change the result";
     case Gravity::meaning:
@@ -326,7 +335,7 @@ std::string group_letter(const ModelFit& r) { return letter_of(r.standing.certai
 
 std::string what_held_out_means(const Comparison& c) {
   const HoldOutFacts& h = c.recording.hold_out;
-  if (!h.used()) return c.models.size() > 1 ? "score: in sample, of the frames that the models were fitted to." : "";
+  if (!h.used()) return c.models.size() > 1 ? "score: in sample, that is, on the frames that the models were fitted to." : "";
   const HeldOutWay& w = h.ways.front();
   return fmt::format(
       "score: every model is fitted to frames {} to {} and scored on frames {} to {}, and the other way round{}; the score is the mean. in "

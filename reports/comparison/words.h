@@ -39,6 +39,12 @@ std::string what_drowned_means(const Comparison&);
 // What the letters, the interval and the p of the ranking mean; empty without these.
 std::string what_ranks_mean(const Comparison&);
 
+// What is played and drawn beside models: "recording"; "simulation" on the page of one.
+std::string what_was_seen(const Comparison& c);
+
+// The skill of the random walk, without an error where it is the zero of the scale.
+std::string walker_skill(const Estimate& skill);
+
 // Heads the warnings of one gravity.
 std::string_view gravity_title(Gravity);
 

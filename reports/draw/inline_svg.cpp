@@ -19,4 +19,9 @@ Html inline_svg(const std::string& document, std::string_view prefix) {
   return {text};
 }
 
+Html sheet_of(const std::string& document, std::string_view prefix) {
+  const bool wide = document.find("width=\"178mm\"") != std::string::npos;
+  return element("div", wide ? "paper" : "paper half", inline_svg(document, prefix));
+}
+
 }  // namespace swarmfit

@@ -32,6 +32,13 @@ Window window_around(const std::vector<const Tracks*>& all) {
   return out;
 }
 
+// A square that holds both.
+Window holding(const Window& a, const Window& b) {
+  const double left = std::min(a.x - a.half, b.x - b.half), right = std::max(a.x + a.half, b.x + b.half);
+  const double low = std::min(a.y - a.half, b.y - b.half), high = std::max(a.y + a.half, b.y + b.half);
+  return {0.5 * (left + right), 0.5 * (low + high), 0.5 * std::max(right - left, high - low)};
+}
+
 // Points of the sheet per length unit.
 double scale_of(const svg::Box& box, const Window& window) { return 0.5 * std::min(box.width, box.height) / window.half; }
 
@@ -41,7 +48,7 @@ Window window_of(const Tracks& tracks) { return window_around({&tracks}); }
 
 Window window_for(const std::vector<const Tracks*>& all) {
   constexpr double kMost = 2;  // beyond, the recording itself would be too small to see
-  const Window first = window_of(*all.front()), whole = window_around(all);
+  const Window first = window_of(*all.front()), whole = holding(window_around(all), first);
   return whole.half <= kMost * first.half ? whole : Window{first.x, first.y, kMost * first.half};
 }
 

@@ -14,7 +14,8 @@ struct Window {
 
 // Holds these tracks; of motion that has an extent.
 Window window_of(const Tracks& tracks);
-// Holds all of them if twice the size that the first one needs is enough; else it is of that size, about the first.
+// Holds all of them and the window of the first if twice the size that the first one needs is enough; else it is of that size, about the
+// first.
 Window window_for(const std::vector<const Tracks*>& all);
 
 // The share of positions that the window does not show.

@@ -58,9 +58,11 @@ std::string localisation_words(const TrackMeta& meta, const Localisation& l) {
   std::string sigma;
   for (int axis = 0; axis < meta.dims; ++axis) sigma += fmt::format("{}{} {}", axis > 0 ? ", " : "", "xyz"[axis], rounded(l.sigma[axis]));
   if (l.rounding) return fmt::format("Measurement error: no more than the rounding of the file ({} {}).", sigma, meta.unit);
-  const std::string caveat = l.white ? "" : " (not white: the positions were smoothed, or the motion itself is this rough)";
-  return fmt::format("Measurement error: {} {}{}; it explains {} of the acceleration and {} of the jerk (squared medians).", sigma,
-                     meta.unit, caveat, percent(l.acceleration_share), percent(l.jerk_share));
+  const std::string caveat =
+      l.white ? "" : " (not independent from frame to frame: the positions were smoothed, or the motion itself is this rough)";
+  const auto share = [](double of) { return of < 1e-3 ? "less than 0.1 %" : percent(of); };
+  return fmt::format("Measurement error: {} {}{}. It explains {} of the squared median acceleration and {} of the squared median jerk.",
+                     sigma, meta.unit, caveat, share(l.acceleration_share), share(l.jerk_share));
 }
 
 std::string suspicion_words(const Suspicion& s) {

@@ -5,6 +5,7 @@
 
 #include "reports/comparison/chart_data.h"
 #include "reports/comparison/html_sections.h"
+#include "reports/comparison/words.h"
 #include "reports/motion/player.h"
 #include "reports/recording/summary_words.h"
 #include "reports/write/assets.h"
@@ -69,7 +70,7 @@ Html repairs(const TrackMeta& meta) {
 }  // namespace
 
 std::string tracks_html(const Comparison& c, const TrackMeta& meta, const Summary& summary, const TracksPage& page) {
-  const std::string name = page.model ? page.model->name : meta.from.path;
+  const std::string name = page.model ? page.model->name : file_name(meta.from.path);
   return filled(assets::tracks_html,
                 {{"policy", content_policy(assets::report_css, {assets::chart_js, assets::report_js, player_script()})},
                  {"css", std::string(assets::report_css)},
@@ -84,12 +85,12 @@ std::string tracks_html(const Comparison& c, const TrackMeta& meta, const Summar
                  {"warnings", page.model ? std::string() : suspicions(summary).text},
                  {"motion", page_section("motion", "In motion", sections::motion(c).text)},
                  {"model", model_section(page).text},
-                 {"quality", page_section("quality", "Quality of the tracks", sections::quality(c).text)},
+                 {"quality", page.model ? std::string() : page_section("quality", "Quality of the tracks", sections::quality(c).text)},
                  {"pictures", page_section("pictures", "The group in pictures", sections::pictures(c).text)},
                  {"pdf_figures", sections::pdf_figures(c).text},
                  {"contents", contents_table(contents_rows(meta, summary)).text},
                  {"quantiles", quantile_table(quantile_rows(meta, summary)).text},
-                 {"localisation", html_escaped(localisation_words(meta, summary.localisation))},
+                 {"localisation", html_escaped(in_print(localisation_words(meta, summary.localisation)))},
                  {"command", html_escaped(page.command)},
                  {"provenance", repairs(meta).text},
                  {"version", html_escaped(page.version)}});

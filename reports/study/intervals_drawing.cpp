@@ -93,8 +93,8 @@ Html intervals_drawing(const ParameterRecovery& r, std::size_t k) {
   const Frame f = frame_of(r, k);
   const ParameterCoverage& p = r.parameters[k];
   std::string out = fmt::format(
-      "<svg class=\"recovered\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"95 % intervals of {} against its true value: {} of {} hold "
-      "it\">",
+      "<svg class=\"recovered\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"95 % intervals of {} against its true value: {} of {} "
+      "contain it\">",
       kRight + 8, kBottom + 24, html_escaped(p.name), p.covered, p.recordings);
   out += axes(f, unit_in_print(p.unit)) + diagonal(f);
   for (const ParameterCase& c : r.cases) out += interval(f, c, k);

@@ -68,7 +68,7 @@ Html states(const TrackMeta& meta, const Measured& measured) {
 }
 
 Html drawing(const std::string& svg, std::string_view prefix) {
-  return svg.empty() ? Html{} : element("figure", "", inline_svg(svg, prefix));
+  return svg.empty() ? Html{} : element("figure", "wide", sheet_of(svg, prefix));
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ std::string measure_html(const TrackMeta& meta, const Measured& measured, const 
                  {},
                  settings,
                  version};
-  page.facts = fact("recording", printable(meta.from.path));
+  page.facts = fact("recording", printable(meta.from.path), true);
   page.facts += fact("frames", fmt::format("{} at {} Hz", all.record.frame().size(), brief(1 / meta.dt)));
   page.facts += fact("dimensions", fmt::format("{}-D, in {}", meta.dims, printable(meta.unit)));
   page.facts += fact("linked within", fmt::format("{} {}", rounded(all.link), printable(meta.unit)));

@@ -50,8 +50,8 @@ Html coverage(const ParameterRecovery& r) {
   }
   Html out = table.sortable().html();
   out += element("p", "note",
-                 markup("The mark is what was counted, the bar the band, from half of the recordings to all. Width, bias and rmse (of the "
-                        "posterior's median): shares of the searched range, on the axis of the search."));
+                 markup("Mark: what was counted; bar: the 99 % band; the axis runs from half of the recordings to all. Width, bias and "
+                        "rmse (of the posterior's median) are fractions of the searched range, on the axis of the search."));
   return out;
 }
 
@@ -132,8 +132,7 @@ std::string coverage_sentence(const ParameterRecovery& r) {
   const auto rarely = names_with(r, "too rarely"), often = names_with(r, "too often");
   const std::string of = fmt::format(" of {}", r.model);
   if (rarely.empty() && often.empty())
-    return fmt::format("The 95 % intervals of all {} parameters{} contain the true value as often as they should.", r.parameters.size(),
-                       of);
+    return fmt::format("The coverage of the 95 % intervals is within chance of 95 % for all {} parameters{}.", r.parameters.size(), of);
   if (rarely.empty())
     return fmt::format("The 95 % intervals of {}{} contain the true value too often: they are too wide.", enumerate(often), of);
   return fmt::format("The 95 % intervals of {}{} contain the true value too rarely{}.", enumerate(rarely), of,

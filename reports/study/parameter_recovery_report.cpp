@@ -55,7 +55,7 @@ std::string parameter_recovery_text(const ParameterRecovery& r, TextStyle style)
   if (r.cases.empty()) return fmt::format("None of {} recordings simulated from {} can be fitted.\n", r.left_out, r.model);
   const std::string text =
       table_text(coverage_table(r, ""), style) +
-      paragraph("width, bias and rmse (of the posterior's median): shares of the searched range, on the axis of the search", " ") +
+      paragraph("width, bias and rmse (of the posterior's median): fractions of the searched range, on the axis of the search", " ") +
       paragraph(coverage_band_text(r), " ") + paragraph(ranks_text(r), " ") + (r.left_out > 0 ? paragraph(left_out_text(r), " ") : "");
   return finished(text, style);
 }

@@ -24,7 +24,7 @@ std::string time_text(double seconds) {
 // What a recording of so many seconds lacks.
 std::string lacking(double factor, double seconds) {
   if (!std::isfinite(factor) || !(seconds > 0)) return kUndefined;
-  return factor < 1.05 ? "nothing" : time_text((factor - 1) * seconds);
+  return factor < 1.05 ? "none" : time_text((factor - 1) * seconds);
 }
 
 Html pairs(const Power& p) {
@@ -33,14 +33,14 @@ Html pairs(const Power& p) {
                              "Distinguished: the true model ranks before the rival, and the rival is not in the best group. Lead: mean "
                              "lead of the true model in score, with its sd.");
   t.align = "llrrrrrr";
-  t.head.emplace_back("more of it");
+  t.head.emplace_back("more time needed");
   for (std::size_t k = 0; k < p.pairs.size(); ++k) t.rows[k].push_back(lacking(p.pairs[k].factor, seconds));
   Html out = on_screen(t).html();
   out += element(
       "p", "note",
-      markup("Data needed: how many times as long, or with how many times as many animals, for the true model to lead in 95 of "
-             "100 recordings, if leads keep their mean and their scatter falls as one over the root of the length. Never: the true model "
-             "does not lead on average, so more data may not help."));
+      markup("Data for the right order: how many times as long, or with how many times as many animals, for the true model to lead in 95 "
+             "of 100 recordings, if leads keep their mean and their scatter falls as one over the root of the length. To be distinguished "
+             "as well, two models may need more. Never: the true model does not lead on average, so more data may not help."));
   return out;
 }
 

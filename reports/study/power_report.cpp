@@ -32,7 +32,7 @@ bool suffices(double factor) { return factor < 1.05; }
 std::string needed(double factor) {
   if (std::isnan(factor)) return kUndefined;
   if (std::isinf(factor)) return "never";
-  return suffices(factor) ? "as it is" : fmt::format("{} ×", brief(factor, 2));
+  return suffices(factor) ? "as much" : fmt::format("{} ×", brief(factor, 2));
 }
 
 // The pairs in both directions: telling them apart takes both.
@@ -62,12 +62,14 @@ std::string power_sentence(const Power& p) {
       unsure.empty() ? std::string()
                      : fmt::format(" It ranks {} in the right order, but does not distinguish them with certainty.", enumerate(unsure));
   if (unclear.empty() && unsure.empty()) return "A recording like this one distinguishes all these models.";
-  if (unclear.empty()) return "A recording like this one ranks all these models correctly." + order;
+  if (unclear.empty())
+    return fmt::format("A recording like this one ranks all these models correctly, but does not distinguish {} with certainty.",
+                       enumerate(unsure));
   return fmt::format("A recording like this one does not distinguish {}.", enumerate(unclear)) + order;
 }
 
 PaperTable pairs_table(const Power& p, const std::string& caption) {
-  PaperTable t{"pairs", caption, {"true model", "rival", "ranked before", "distinguished", "lead", "sd", "data needed"}, {}};
+  PaperTable t{"pairs", caption, {"true model", "rival", "ranked before", "distinguished", "lead", "sd", "data for the right order"}, {}};
   for (const PowerPair& pair : p.pairs)
     t.rows.push_back({planted(p, pair), rival(p, pair), fmt::format("{} of {}", pair.first, pair.recordings),
                       fmt::format("{} of {}", pair.told_apart, pair.recordings), fixed(pair.lead, 2), fixed(pair.lead_sd, 2),

@@ -31,10 +31,10 @@ StudySection groups(const Recovery& r) {
 
 StudySection goodness(const Recovery& r) {
   Html content = sections::rejection_matrix(r);
-  content += element(
-      "p", "note",
-      markup("Goodness of fit tests each model by itself: does the recording fit it as well as recordings simulated from it do? The "
-             "true model should be rejected in about 5 of 100 recordings, every other model as often as possible."));
+  content +=
+      element("p", "note",
+              markup("Goodness of fit tests each model by itself: does the recording fit it as well as recordings simulated from it do? "
+                     "The true model should be rejected in about 5 of 100 recordings, every other model in as many as possible."));
   return {"goodness", "Which models are rejected", content};
 }
 

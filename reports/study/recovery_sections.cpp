@@ -141,8 +141,9 @@ Html confusion_matrix(const Recovery& r) {
 }
 
 Html confidence_matrix(const Recovery& r) {
-  const Matrix m{"Columns: how often each model was not distinguishable from the best (model confidence set, 95 %).",
-                 "true model \\ in the best group", "true model in it", Right::maker};
+  const Matrix m{
+      "Columns: how often each model was in the best group, that is, not distinguishable from the best (model confidence set, 95 %).",
+      "true model \\ in the best group", "true model in it", Right::maker};
   const auto in_it = [&](std::size_t p, std::size_t k) { return counts_of::in_best_group(r, p, r.compared[k]); };
   return matrix_html(r, m, in_it, [&](std::size_t p) { return of_recordings(r, in_it(p, own_place(r, p)), p); });
 }
@@ -157,13 +158,12 @@ Html rejection_matrix(const Recovery& r) {
 Html how_matrices_read() {
   return element(
       "p", "note",
-      markup("Framed: the true model. <span class=\"swatch right q4\"></span> blue where large counts are right, "
-             "<span class=\"swatch wrong q4\"></span> orange where they are wrong; the stronger, the larger the share of the row's "
-             "recordings."));
+      markup("Framed: the true model. <span class=\"swatch right q4\"></span> blue where large counts are right, <span class=\"swatch "
+             "wrong q4\"></span> orange where they are wrong; the stronger the colour, the larger the share of the row's recordings."));
 }
 
 Html overlap_table(const Recovery& r) {
-  HtmlTable table("Every pair of models: in how many recordings of one the other was in the best group, too.");
+  HtmlTable table("Every pair of models: in how many recordings made by one of them the other was in the best group, too.");
   table.head({column("first"), column("second"), column("first is true", true), column("second is true", true), column("verdict")});
   for (std::size_t a = 0; a < r.compared.size(); ++a)
     for (std::size_t b = a + 1; b < r.compared.size(); ++b) {

@@ -110,7 +110,7 @@ std::string sweep_html(const Sweep& s, const Settings& settings, const std::stri
     // Letters alone: names within an SVG begin with them.
     std::string prefix = "f";
     for (std::size_t n = k; n > 0; n /= 26) prefix += static_cast<char>('a' + n % 26);
-    Html figure = inline_svg(figures[k].svg, prefix);
+    Html figure = sheet_of(figures[k].svg, prefix);
     figure += element("figcaption", "", escaped(figures[k].title));
     drawings += element("figure", "", figure);
   }

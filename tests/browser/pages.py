@@ -78,6 +78,14 @@ class Pages:
         self.run("power", *DEMO, "-m", "bswarm,boids", "--seeds", "2", "--max-evaluations", "10", "-q", "--out", "power")
         return self.url("power", "report.html")
 
+    def measure(self):
+        self.run("measure", *DEMO, "-q", "--out", "measure")
+        return self.url("measure", "report.html")
+
+    def sweep(self):
+        self.run("sweep", "vicsek", "--axis", "eta=0:2:2", "--dims", "2", "--agents", "20", "--frames", "20", "--box", "0", "-q", "--out", "sweep")
+        return self.url("sweep", "report.html")
+
     def flock(self):
         """That flies far in comparison with its size."""
         self.run("simulate", "boids", "--agents", "20", "--frames", "240", "--fps", "30", "--box", "0", "--start-radius", "1", "--set",

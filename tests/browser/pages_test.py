@@ -235,6 +235,13 @@ class Studies(Page):
         self.browser.click(self.browser.find("#pairs thead button"))
         self.assertEqual(self.browser.run(pairs), ["boids", "bswarm"])
 
+    def test_fit_a_phone(self):
+        for kind in "recover", "recover_parameters", "power", "measure", "sweep":
+            self.open(kind)
+            self.browser.devtools("Emulation.setDeviceMetricsOverride", width=420, height=900, deviceScaleFactor=1, mobile=False)
+            self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 420, kind)
+        self.browser.devtools("Emulation.clearDeviceMetricsOverride")
+
     # Without a script all of it can be read.
     def test_no_script_is_needed(self):
         self.browser.devtools("Emulation.setScriptExecutionDisabled", value=True)

@@ -71,7 +71,7 @@ TEST_F(Program, MeasuresEveryKindByItself) {
 }
 
 TEST_F(Program, RefusesWhatCannotBeMeasuredOrSwept) {
-  expect_refused("measure demo --quantities order", "'order' is no order parameter");
+  expect_refused("measure demo --quantities order", "'order' is not an order parameter");
   expect_refused("measure demo --link 0", "--link");
   expect_refused("measure demo --states fish", "group or flock");
   expect_refused("sweep vicsek", "--axis");
@@ -82,7 +82,7 @@ TEST_F(Program, RefusesWhatCannotBeMeasuredOrSwept) {
   expect_refused("sweep vicsek --axis heat=0:1:3", "no such parameter");
   expect_refused("sweep vicsek --axis eta=0:1:2 --axis eta=0:2:2", "given twice");
   expect_refused("sweep vicsek --axis agents=1.5,2", "--agents");
-  expect_refused("sweep vicsek --axis agents=5,9 --hysteresis", "no parameter of vicsek");
+  expect_refused("sweep vicsek --axis agents=5,9 --hysteresis", "is not a parameter of vicsek");
   expect_refused("sweep vicsek --axis eta=0:1:2 --latin 5 --hysteresis", "Latin hypercube");
   expect_refused("sweep birds --axis eta=0:1:2", "birds");
   EXPECT_FALSE(fs::exists(dir_ / "swarmfit-sweep"));

@@ -234,12 +234,12 @@ TEST_F(Hostile, CleaningIsInConfigAndResults) {
   EXPECT_EQ(content(dir_ / "a/results.json"), content(dir_ / "b/results.json"));
   const std::string results = content(dir_ / "a/results.json");
   for (const char* note :
-       {"lengths were multiplied by 0.1, 0.2", "y was turned round", "one frame of 2 was kept", "2 individuals were left out by name"})
+       {"lengths were multiplied by 0.1, 0.2", "y was flipped", "one frame of 2 was kept", "2 individuals were left out by name"})
     EXPECT_THAT(results, HasSubstr(note));
   for (const char* file : {"a.csv", "a.h5", "a.npz"}) {
     ASSERT_EQ(run("convert film.csv --cut-jumps 1e6 --unwrap 1e9 --flip-y -o " + std::string(file)).code, 0);
     const Result r = run("describe " + std::string(file) + " --json");
-    EXPECT_THAT(r.out, AllOf(HasSubstr("y was turned round"), HasSubstr("periodic boundaries of a box"))) << r.err;
+    EXPECT_THAT(r.out, AllOf(HasSubstr("y was flipped"), HasSubstr("periodic boundaries of a box"))) << r.err;
   }
   expect_refused("convert film.csv --scale 0.001m/mm -o a.sqlite",
                  "--to jupedsim: it holds motion in two dimensions; expected another format");

@@ -166,7 +166,7 @@ TEST_F(Program, AnInterruptedRunGoesOn) {
       run("--version >version; { '" SWARMFIT_PROGRAM "' " + job +
           "--out broken & while [ ! -s broken/checkpoint ] && kill -0 $!; do sleep 0.01; done; kill -TERM $!; wait $!; }");
   EXPECT_EQ(broken.code, 130);
-  EXPECT_THAT(broken.err, HasSubstr("to go on: swarmfit resume broken"));
+  EXPECT_THAT(broken.err, HasSubstr("to continue: swarmfit resume broken"));
   const std::string checkpoint = content(dir_ / "broken/checkpoint"), config = content(dir_ / "broken/config.toml");
   EXPECT_THAT(checkpoint, StartsWith("swarmfit checkpoint"));
 
@@ -176,7 +176,7 @@ TEST_F(Program, AnInterruptedRunGoesOn) {
   expect_refused("resume broken", "config.toml has changed");
   write("broken/config.toml", config);
   write("broken/checkpoint", "not one of ours");
-  expect_refused("resume broken", "is no checkpoint");
+  expect_refused("resume broken", "is not a checkpoint");
   write("broken/checkpoint", checkpoint);
   ASSERT_EQ(run("resume broken --threads 2 -q").code, 0);
   for (const char* file : {"results.json", "history.csv", "report.html", "config.toml", "figures/convergence.svg", "figures/captions.tex"})
@@ -199,7 +199,7 @@ TEST_F(Program, StudiesGoOnToo) {
         run("--version >version; { '" SWARMFIT_PROGRAM "' " + job +
             "--out broken 2>log & while ! grep -q '^1/' log && kill -0 $!; do sleep 0.01; done; kill -TERM $!; wait $!; }");
     EXPECT_EQ(stopped.code, 130) << job;
-    EXPECT_THAT(content(dir_ / "log"), HasSubstr("to go on: swarmfit resume broken"));
+    EXPECT_THAT(content(dir_ / "log"), HasSubstr("to continue: swarmfit resume broken"));
     EXPECT_EQ(run("resume broken --max-time 0.001").code, 130) << job;
     EXPECT_FALSE(fs::exists(dir_ / "broken" / result));
     int code = 130;
@@ -225,7 +225,7 @@ TEST_F(Program, ARunStopsWhenItsTimeIsUpAndGoesOn) {
   ASSERT_EQ(run(job + "--out whole").code, 0);
   const Result stopped = run(job + "--max-time 0.001 --out timed");
   EXPECT_EQ(stopped.code, 130);
-  EXPECT_THAT(stopped.err, HasSubstr("to go on: swarmfit resume timed"));
+  EXPECT_THAT(stopped.err, HasSubstr("to continue: swarmfit resume timed"));
   EXPECT_EQ(run("resume timed --max-time 1ms").code, 2);
   EXPECT_EQ(run("resume timed --max-time 0.001").code, 130);
   ASSERT_EQ(run("resume timed --max-time 1h -q").code, 0);

@@ -263,7 +263,7 @@ TEST_F(WithFile, SaysWhereAFileIsWrong) {
     return complaint({"fit", "demo", "-m", "boids", "--config", path});
   };
   EXPECT_THAT(said("[fit]\nseed = 1\nsed = 2\n"),
-              AllOf(HasSubstr(path + ":3:"), HasSubstr("'sed' is no setting of fit; expected one of DATA, model")));
+              AllOf(HasSubstr(path + ":3:"), HasSubstr("'sed' is not a setting of fit; expected one of DATA, model")));
   EXPECT_THAT(said("[fit]\nunit = \"m\nseed = 1\n"), AllOf(HasSubstr(path + ":2:"), HasSubstr("expected TOML")));
   EXPECT_THAT(said("[compare]\nseed = 1\n"), HasSubstr("says nothing of fit; expected settings under [fit]"));
   EXPECT_THAT(said("seed = 1\n"), HasSubstr("expected settings under [fit]"));

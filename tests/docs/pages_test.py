@@ -5,6 +5,9 @@ import os
 import re
 import unittest
 
+import links
+import words
+
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 
 
@@ -19,6 +22,29 @@ class Pages(unittest.TestCase):
         self.assertGreaterEqual(len(names), 10)
         for name in names:
             self.assertIn(f"\n### {name}\n", content("docs", "how-to", "warnings.md"))
+
+    def test_every_warning_that_has_a_cure_is_given(self):
+        said = " ".join(text for path in words.sources() for _, text in words.strings(path))
+        cures = content("docs", "how-to", "warnings.md").partition('## In `compare` and `fit`: "Warnings"')[2]
+        names = re.findall(r"^\| \*\*([^*]+)\*\*", cures, flags=re.M)
+        self.assertGreaterEqual(len(names), 25)
+        for name in names:
+            for part in re.split(r" N |[…:]|\bv, a,", name):  # what stands for a number or a name
+                self.assertTrue(part.strip().rstrip(".") in said, f"no warning says: {part}")
+
+    def test_one_word_for_one_thing(self):
+        gone = re.compile(r"\b(maker|planted|alike|told apart|blew up|goes with|one of both|differenced across)\b")
+        for path in words.sources():
+            for line, text in words.strings(path):
+                self.assertIsNone(gone.search(text), f"{path}:{line}: {text}")
+        for page in links.pages(ROOT):
+            if not os.path.relpath(page, ROOT).startswith((*words.NO_MANUAL, "docs/explanation/history.md")):
+                for line, text in links.prose(page):
+                    self.assertIsNone(gone.search(text), f"{page}:{line}: {text}")
+
+    def test_long_paragraphs_can_be_read(self):
+        for length, ease, place, _ in words.longest(20):
+            self.assertGreaterEqual(ease, 45, f"{place}: {length} words")
 
     def test_every_model_is_listed(self):
         names = re.findall(r"MODEL\((\w+)\)", content("libswarm", "models.def"))
@@ -43,6 +69,14 @@ class Pages(unittest.TestCase):
         version = re.search(r"project\(swarmfit VERSION (\S+)", content("CMakeLists.txt")).group(1)
         self.assertIn(f"\nversion: {version}\n", content("CITATION.cff"))
         self.assertIn(f'set version = "{version}"', content("packaging", "conda", "meta.yaml"))
+
+    def test_conda_recipe_and_environment_name_the_same_libraries(self):
+        recipe = content("packaging", "conda", "meta.yaml").partition("host: &libraries")[2].partition("run:")[0]
+        needed = set(re.findall(r"^ +- ([\w-]+)", recipe, flags=re.M))
+        named = set(re.search(r"^dependencies: \[(.*)\]", content("packaging", "conda", "environment.yml"), flags=re.M).group(1).split(", "))
+        self.assertGreaterEqual(len(needed), 15)
+        self.assertEqual(named - needed, {"cxx-compiler", "cmake", "ninja", "pkg-config"})
+        self.assertEqual(needed - named, set())
 
     def test_container_builds_by_what_the_repository_has(self):
         container = content("packaging", "Containerfile")

@@ -15,6 +15,7 @@
 #include "reports/comparison/force_tables.h"
 #include "reports/comparison/page_sections.h"
 #include "reports/comparison/picture_tables.h"
+#include "reports/draw/paths.h"
 #include "reports/draw/svg.h"
 #include "tests/reports/sample.h"
 
@@ -249,6 +250,25 @@ TEST(Pictures, FirstFigureHoldsWhatLeavesTheRecordingsFrame) {
               AllOf(HasSubstr("panels are 200 mm high."), HasSubstr("Beyond the frame is bswarm (100 % of its positions).")));
 }
 
+// Of a recording that is longer than wide, and a model beside it.
+TEST(Pictures, FrameHoldsTheSquareOfTheRecording) {
+  const Tracks circles = with_pictures().film;
+  const auto flat = [&](double y) {
+    TrackColumns columns;
+    columns.names = circles.names();
+    columns.pos = circles.pos();
+    columns.pos.col(1) = 0.1 * columns.pos.col(1) + y;
+    columns.track.assign(circles.track().begin(), circles.track().end());
+    columns.frame.assign(circles.frame().begin(), circles.frame().end());
+    return Tracks(std::move(columns), circles.meta());
+  };
+  const Tracks recording = flat(0), model = flat(40);
+  const plot::Window own = plot::window_of(recording), frame = plot::window_for({&recording, &model});
+  EXPECT_LE(frame.y - frame.half, own.y - own.half + 1e-9);
+  EXPECT_GE(frame.y + frame.half, own.y + own.half - 1e-9);
+  EXPECT_LT(frame.half, 2 * own.half);
+}
+
 TEST(Pictures, PosteriorOfEveryModelThatHasOne) {
   Comparison c = sample_comparison();
   EXPECT_EQ(parts::posterior(c, 0).svg, "");
@@ -285,6 +305,26 @@ TEST(Pictures, BandsStayWithinWhatCanBe) {
     r.likeness.pictures.sd.polarisation.assign(c.recording.pictures.recording.polarisation.size(), 0.3);
   }
   EXPECT_THAT(parts::order(c).svg, AllOf(HasSubstr(">1.0<"), Not(HasSubstr(">1.5<"))));
+  for (ModelFit& r : c.models) {
+    r.likeness.pictures.sd.pairs.assign(c.recording.pictures.recording.pairs.size(), 10);
+    r.likeness.pictures.mean.pairs.assign(c.recording.pictures.recording.pairs.size(), 1);
+  }
+  EXPECT_THAT(parts::curves(c).svg, AllOf(HasSubstr(">20<"), Not(HasSubstr(">−20<")), Not(HasSubstr(">−10<")))) << "g(r) is 0 or more";
+}
+
+// A model that is far off leaves the panel, and does not make it an empty one.
+TEST(Pictures, ForcesFarFromTheRecordingsDoNotStretchTheAxis) {
+  const auto numbers = [](const std::string& svg) {
+    std::vector<std::string> out;
+    const std::regex tick(">([−0-9.]+)<");
+    for (std::sregex_iterator at(svg.begin(), svg.end(), tick), end; at != end; ++at) out.push_back((*at)[1]);
+    return out;
+  };
+  Comparison c = with_pictures();
+  c.models.resize(1);
+  const auto near = numbers(parts::forces(c).svg);
+  for (double& value : c.models[0].likeness.forces.median.drag) value = -1000;
+  EXPECT_EQ(numbers(parts::forces(c).svg), near);
 }
 
 TEST(Pictures, AColourBarStandsBesideItsLastMap) {
@@ -302,8 +342,8 @@ TEST(Pictures, AColourBarStandsBesideItsLastMap) {
 
 TEST(Pictures, ForcesAreSaidAndTabulated) {
   const Comparison c = with_pictures();
-  EXPECT_THAT(page::forces(c).text,
-              AllOf(HasSubstr("need nothing else."), HasSubstr("nor repel each other: p = 0.030."), HasSubstr("<svg")));
+  EXPECT_THAT(page::forces(c).text, AllOf(HasSubstr("They suffice to describe the recorded accelerations."),
+                                          HasSubstr("nor repel each other: p = 0.030."), HasSubstr("<svg")));
   EXPECT_EQ(page::forces(sample_comparison()).text, "");
   const std::string csv = forces_csv(c);
   EXPECT_THAT(csv, testing::StartsWith("curve,model,x,value,sd\ndrag,recording,0,0.3,0.1\n"));

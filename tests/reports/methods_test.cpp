@@ -29,7 +29,7 @@ TEST(Methods, SayWhatWasKeptFixed) {
   c.models[0].parameters[3].unit = "mm/s^2";
   c.models[0].parameters[3].value = 1.5e-7;
   EXPECT_THAT(methods_markdown(c),
-              HasSubstr(" Kept fixed were bswarm: radius 1.5×10⁻⁷ mm/s². Simulation steps per frame: bswarm 2. Seed "));
+              HasSubstr(" These parameters were kept fixed: bswarm: radius 1.5×10⁻⁷ mm/s². Simulation steps per frame: bswarm 2. Seed "));
   EXPECT_THAT(report_html(c), HasSubstr("<b>Kept fixed</b>, not searched: bswarm: radius 1.5e-07 mm/s²."));
   c.models[0].parameters.pop_back();
   EXPECT_THAT(methods_markdown(c), testing::Not(HasSubstr("Kept fixed")));

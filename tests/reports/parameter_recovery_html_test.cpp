@@ -44,7 +44,7 @@ TEST(ParameterRecoveryPage, AnswersInWords) {
   const std::string a = r.parameters[0].name, b = r.parameters[1].name;
   EXPECT_EQ(coverage_sentence(r), "The 95 % intervals of " + a + " of brownian contain the true value too rarely.");
   r.fewest = 1;
-  EXPECT_EQ(coverage_sentence(r), "The 95 % intervals of all 2 parameters of brownian contain the true value as often as they should.");
+  EXPECT_EQ(coverage_sentence(r), "The coverage of the 95 % intervals is within chance of 95 % for all 2 parameters of brownian.");
   r.most = 1;
   EXPECT_EQ(coverage_sentence(r), "The 95 % intervals of " + b + " of brownian contain the true value too often: they are too wide.");
   EXPECT_EQ(coverage_sentence({"brownian", {}, {}, 30, 0, 0}), "None of 30 recordings simulated from brownian can be fitted.");

@@ -48,7 +48,7 @@ TEST(PowerPage, SaysHowMuchMoreOfTheRecordingItTakes) {
   const auto row = [](const Power& p) { return power_html(p, {}); };
   EXPECT_THAT(row(sample()), HasSubstr(">bswarm</th><td>boids</td><td class=\"n\">2 of 3</td><td class=\"n\">1 of 3</td>"));
   EXPECT_THAT(row(sample()), HasSubstr("<td class=\"n\">2.7 ×</td><td class=\"n\">8.5 s</td>"));
-  EXPECT_THAT(row(sample()), HasSubstr("<td class=\"n\">as it is</td><td class=\"n\">nothing</td>"));
+  EXPECT_THAT(row(sample()), HasSubstr("<td class=\"n\">as much</td><td class=\"n\">none</td>"));
   Power p = sample();
   p.pairs[0].factor = 61;
   EXPECT_THAT(row(p), HasSubstr("<td class=\"n\">61 ×</td><td class=\"n\">5 min</td>"));

@@ -37,8 +37,7 @@ TEST(PowerReport, SaysWhatIsNotToldApartAndHowMuchItWouldTake) {
   EXPECT_EQ(power_sentence(p), "A recording like this one does not distinguish bswarm and brownian (more data may not help).");
   p.pairs[1].factor = 1;
   EXPECT_EQ(power_sentence(p),
-            "A recording like this one ranks all these models correctly. It ranks bswarm and brownian in the right order, but does not "
-            "distinguish them with certainty.")
+            "A recording like this one ranks all these models correctly, but does not distinguish bswarm and brownian with certainty.")
       << "as the table says";
   p.pairs[1].told_apart = 2;
   EXPECT_EQ(power_sentence(p), "A recording like this one distinguishes all these models.");
@@ -48,7 +47,7 @@ TEST(PowerReport, PairsByHand) {
   const auto t = pairs_table(sample(), "");
   ASSERT_EQ(t.rows.size(), 6u);
   EXPECT_THAT(t.rows[1], testing::ElementsAre("bswarm", "brownian", "2 of 3", "1 of 3", "0.05", "0.05", "2.7 ×"));
-  EXPECT_EQ(t.rows[0].back(), "as it is");
+  EXPECT_EQ(t.rows[0].back(), "as much");
   EXPECT_THAT(pairs_csv(sample()), HasSubstr("bswarm,brownian,3,2,1,0.05,0.05,2.7\n"));
   EXPECT_THAT(power_text(sample(), {.colour = false, .unicode = false}), HasSubstr("2.7 x"));
 }

@@ -96,12 +96,14 @@ TEST(RankingText, ShowsHalvesAndPosteriorsWhereThereAreSome) {
 // The rest is for --verbose and the page.
 TEST(RankingText, ShowsTheThreeGravestWarnings) {
   Comparison c = sample_comparison();
-  c.warnings = {{Gravity::result, "one"}, {Gravity::result, "two"}, {Gravity::meaning, "three"}, {Gravity::note, "four"}};
+  c.warnings = {{Gravity::claim, "one"}, {Gravity::result, "two"}, {Gravity::meaning, "three"}, {Gravity::note, "four"}};
   const std::string text = ranking_text(c, {});
   EXPECT_THAT(text, HasSubstr("\nWarnings (the gravest 3 of 4)\n  - one\n  - two\n  - three\n\nAll warnings"));
   EXPECT_THAT(text, Not(HasSubstr("weight in score")));
-  EXPECT_THAT(ranking_text(c, {}, Detail::all),
-              HasSubstr("\nMay change the result\n  - one\n  - two\n\nLimits what it means\n  - three\n\nNotes\n  - four\n"));
+  EXPECT_THAT(
+      ranking_text(c, {}, Detail::all),
+      HasSubstr(
+          "\nRules out a conclusion\n  - one\n\nMay change the result\n  - two\n\nLimits what it means\n  - three\n\nNotes\n  - four\n"));
 }
 
 // As many columns as fit, each block headed by the first.

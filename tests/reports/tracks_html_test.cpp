@@ -50,14 +50,18 @@ TEST(TracksPage, NamesTheModelOfASimulation) {
 
 // Agents may halt, or start at one place: no tracker is at fault.
 TEST(TracksPage, BlamesNoTrackerForASimulation) {
-  const Comparison c = alone();
+  Comparison c = alone();
+  c.recording.pictures.timeline = timeline(c.film);
   Summary summary = summarise(c.film);
   summary.suspicions = {{"frozen track", "1 of 4", ""}};
   TrackMeta meta = c.film.meta();
-  EXPECT_THAT(tracks_html(c, meta, summary, {"", "1", {}}), HasSubstr("frozen track"));
+  EXPECT_THAT(tracks_html(c, meta, summary, {"", "1", {}}), testing::AllOf(HasSubstr("frozen track"), HasSubstr("id=\"quality\"")));
   const std::string simulated = tracks_html(c, meta, summary, {"", "1", card()});
   EXPECT_THAT(simulated, Not(HasSubstr("frozen track")));
   EXPECT_THAT(simulated, HasSubstr("<dt>simulation</dt>"));
+  EXPECT_THAT(simulated, Not(HasSubstr("id=\"quality\"")));
+  meta.from.path = "/somewhere/else/swarm.txt";
+  EXPECT_THAT(tracks_html(c, meta, summary, {"", "1", {}}), HasSubstr("<h1>swarm.txt</h1>"));
 }
 
 TEST(TracksPage, HostileTextStaysText) {

@@ -115,7 +115,7 @@ TEST(Words, StepsPerFrameOfEveryModel) {
 
 TEST(Headline, SaysWhichModelIsFirstInSample) {
   Comparison c = in_groups({1, 2});
-  EXPECT_THAT(what_held_out_means(c), HasSubstr("in sample, of the frames that the models were fitted to"));
+  EXPECT_THAT(what_held_out_means(c), HasSubstr("in sample, that is, on the frames that the models were fitted to"));
   c.recording.hold_out.ways = {{1, 240, 261, 500, {}, {}}, {261, 500, 1, 240, {}, {}}};
   c.models[0].standing.in_sample.score = 0.4;
   c.models[1].standing.in_sample.score = 0.3;

@@ -54,7 +54,7 @@ TEST(Clean, ScaleTurnsPixelsIntoMillimetres) {
   EXPECT_EQ(scaled(out, parse_scale("2")).meta().unit, "mm") << "a plain factor leaves the unit";
   EXPECT_THAT(refusal([&] { scaled(out, scale); }), HasSubstr("is in mm; expected mm/mm"));
   for (const char* wrong : {"", "0", "-1", "nan", "inf", "1,0", "1,2,3,4", "1mm", "1 mm/", "1/px", "mm/px"})
-    EXPECT_THAT(refusal([&] { parse_scale(wrong); }), StartsWith("'" + std::string(wrong) + "' is no scale; expected")) << wrong;
+    EXPECT_THAT(refusal([&] { parse_scale(wrong); }), StartsWith("'" + std::string(wrong) + "' is not a scale; expected")) << wrong;
 }
 
 TEST(Clean, ScaleTakesVelocitiesAlong) {
@@ -69,8 +69,8 @@ TEST(Clean, UnwrapFollowsAcrossTheBoundary) {
   const auto out = unwrap(film(line({{0, 8}, {1, 9.5}, {2, 1}, {3, 9}, {5, 8}})), parse_box("10"));
   EXPECT_THAT(xs(out), ElementsAre(8, 9.5, 11, 9, 8));
   EXPECT_EQ(last_note(out), "periodic boundaries of a box of 10 px were undone: 2 crossings");
-  EXPECT_THAT(refusal([] { parse_box("0"); }), HasSubstr("is no box; expected its edge"));
-  EXPECT_THAT(refusal([] { parse_box("10m"); }), HasSubstr("is no box"));
+  EXPECT_THAT(refusal([] { parse_box("0"); }), HasSubstr("is not a box; expected its edge"));
+  EXPECT_THAT(refusal([] { parse_box("10m"); }), HasSubstr("is not a box"));
 }
 
 // A random walk in a box, unwrapped, is the walk but for whole edges at its start.

@@ -75,7 +75,7 @@ std::vector<Fault> faults() {
       {"two length units", "id,frame,x [mm],y [cm]\n1,0,1,2\n", flags(),
        "f.csv:1: 'x [mm]' is in mm but 'y [cm]' in cm; expected one length unit for all coordinates"},
       {"day or month first", "id,t,x,y\n1,3/4/2021 10:00:00,1,2\n1,3/4/2021 10:00:01,1,2\n", flags(),
-       "f.csv:2: dates may have the day or the month first, and none in the file tells which; expected `dates` day-first or `dates` "
+       "f.csv:2: dates may have the day or the month first, and none in the file shows which; expected `dates` day-first or `dates` "
        "month-first"},
       {"day and month first", "id,t,x,y\n1,30/4/2021 10:00:00,1,2\n1,4/30/2021 10:00:01,1,2\n", flags(),
        "f.csv:3: the date cannot have the day first; expected dates in one order"},
@@ -102,7 +102,7 @@ std::vector<Fault> faults() {
        "f.csv:1: 'id', 'particle' are new in every row, so they number rows and not individuals; expected `columns` to name the individual "
        "(id=NAME,...)"},
       {"no place on Earth", "id,frame,lon,lat\n1,0,1,2\n1,1,1,92\n", flags(),
-       "f.csv:3: longitude 1, latitude 92 is no place on Earth; expected degrees, latitudes from -90 to 90"},
+       "f.csv:3: longitude 1, latitude 92 is not a place on Earth; expected degrees, latitudes from -90 to 90"},
       {"no header", "1,0,1,2\n1,1,1,2\n", flags(),
        "f.csv:1: the file has no header; expected `columns` to name its 4 columns, such as `columns` id,x,y,z (_ skips one); the first row "
        "is "
@@ -126,7 +126,7 @@ std::vector<Fault> faults() {
       {"conflicting rows", head + "1,0,1,2\n2,0,1,2\n1,0,1,3\n", flags(),
        "f.csv:4: individual '1' has another row for frame 0 at f.csv:2; expected one row per individual and frame"},
       {"kind", "id,frame,x,y,kind\n1,0,1,2,256\n", flags(), "f.csv:2: kind 256 is not allowed; expected an integer from 0 to 255"},
-      {"`fps` 0", good, with([](auto& o) { o.fps = 0; }), "`fps`: 0 is no frame rate; expected a number above 0"},
+      {"`fps` 0", good, with([](auto& o) { o.fps = 0; }), "`fps`: 0 is not a frame rate; expected a number above 0"},
       {"`fill-gaps` -1", good, with([](auto& o) { o.fill_gaps = -1; }), "`fill-gaps`: -1 is negative; expected a number of frames"},
       {"`format`", good, with([](auto& o) { o.format = "xyz"; }), "`format`: 'xyz' is not known; expected one of " + format_list()},
       {"`frames`", good, with([](auto& o) {

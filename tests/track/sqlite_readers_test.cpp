@@ -50,7 +50,7 @@ TEST(JuPedSim, BothVersions) {
 TEST(JuPedSim, FaultsAreNamed) {
   EXPECT_EQ(error_of(jupedsim("3", "(0, 7, 1, 2, 0, 0)")), "f.csv: the version of the layout is '3'; expected 1 or 2");
   EXPECT_EQ(error_of(jupedsim("2", "(0, 7, 1, 2, 0, 0), (1, 7, 'west', 2, 0, 0)")),
-            "f.csv: table 'trajectory_data' row 2: pos_x is no number; expected a number");
+            "f.csv: table 'trajectory_data' row 2: pos_x is not a number; expected a number");
   EXPECT_THAT(error_of(database("CREATE TABLE t(a, b)")), StartsWith("f.csv: is a SQLite database of no known layout, with the tables t"));
   EXPECT_THAT(error_of(database("CREATE TABLE t(a, b)"), {.format = "jupedsim"}), HasSubstr("expected trajectories of JuPedSim"));
 }

@@ -65,7 +65,7 @@ TEST(TrackMate, FaultsHaveTheirLine) {
   EXPECT_THAT(error_of(kHead + "<Track TRACK_ID=\"2\">" + edge(5, 99) + "</Track>" + kTail), StartsWith("f.csv:10: there is no spot '99'"));
   EXPECT_THAT(error_of(kHead + "<Track TRACK_ID=\"2\">" + edge(9, 7) + "</Track>" + kTail), HasSubstr("joins two spots of one frame"));
   EXPECT_THAT(error_of(kHead + kTail), HasSubstr("there are no tracks in it, only spots"));
-  EXPECT_THAT(error_of(kHead), HasSubstr("this is no well-formed XML"));
+  EXPECT_THAT(error_of(kHead), HasSubstr("this is not well-formed XML"));
   EXPECT_THAT(error_of("<?xml version=\"1.0\"?><kml/>"), HasSubstr("is an XML file of no known layout"));
   auto wrong = kHead;
   wrong.replace(wrong.find("POSITION_X=\"3\""), 14, "POSITION_X=\"w\"");
@@ -105,7 +105,7 @@ TEST(Gpx, TracksInMetres) {
 TEST(Gpx, WithoutTimesItIsNoRecording) {
   EXPECT_EQ(error_of(gpx("<trk><trkseg>\n" + point("47", "") + "</trkseg></trk>")),
             "f.csv:4: the point has no time; expected one in every point: without times it is a route and no recording");
-  EXPECT_THAT(error_of(gpx("<trk><trkseg>" + point("47", "12:00:00") + "</trkseg></trk>")), HasSubstr("'12:00:00' is no time"));
+  EXPECT_THAT(error_of(gpx("<trk><trkseg>" + point("47", "12:00:00") + "</trkseg></trk>")), HasSubstr("'12:00:00' is not a time"));
   EXPECT_THAT(error_of(gpx("<trk><trkseg>" + point("north", "2020-01-01T00:00:00Z") + "</trkseg></trk>")),
               HasSubstr("lat is 'north'; expected degrees"));
   EXPECT_THAT(error_of(gpx("<trk/>")), HasSubstr("there are 1 tracks without a point in it"));
