@@ -55,27 +55,26 @@ FinalView Appearance::view() const {
   };
 }
 
-void Appearance::show(ModelFit& fit, const std::vector<std::string>& views) const {
+Look Appearance::of(const std::vector<std::string>& views) const {
   std::vector<AssessedRun> assessed;
   std::vector<Pictures> seen;
   std::vector<ForceCurves> forces;
+  FilmStrip film;
   Scales scales;
   for (const std::string& bytes : views) {
     View view = from_bytes<View>(bytes);
-    if (assessed.empty()) {
-      fit.film = film_of(std::move(view.film), conditions_.recording);
-      scales = view.scales;
-    }
+    if (assessed.empty()) film = std::move(view.film), scales = view.scales;
     assessed.push_back(std::move(view.assessed));
     seen.push_back(std::move(view.pictures));
     forces.push_back(std::move(view.forces));
   }
-  fit.likeness = skill_->likeness(assessed);
-  fit.likeness.pictures = picture_spread(seen);
-  fit.likeness.forces = force_spread(forces);
-  fit.likeness.extent = scales.extent;
-  fit.likeness.spacing = scales.spacing;
-  fit.likeness.speed = scales.speed;
+  Likeness likeness = skill_->likeness(assessed);
+  likeness.pictures = picture_spread(seen);
+  likeness.forces = force_spread(forces);
+  likeness.extent = scales.extent;
+  likeness.spacing = scales.spacing;
+  likeness.speed = scales.speed;
+  return {std::move(likeness), film_of(std::move(film), conditions_.recording)};
 }
 
 }  // namespace swarmfit

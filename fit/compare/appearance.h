@@ -12,6 +12,12 @@
 
 namespace swarmfit {
 
+// A model's.
+struct Look {
+  Likeness likeness;
+  Tracks film;
+};
+
 // Holds references, so the conditions must outlive it.
 class Appearance {
  public:
@@ -27,8 +33,7 @@ class Appearance {
   Scenery around() const;  // what surrounds everybody in the films
   FinalView view() const;  // of a final replicate, as bytes; valid as long as this is
 
-  // A model's film and likeness, from the views of its final replicates.
-  void show(ModelFit& fit, const std::vector<std::string>& views) const;
+  Look of(const std::vector<std::string>& views) const;  // of a model's final replicates
 
  private:
   const Conditions& conditions_;

@@ -39,16 +39,15 @@ Weighting mean_weighting(const Weighting& searched, Weighting last, int pass) {
 
 }  // namespace
 
-Calibration::Calibration(const CompareOptions& options, const Conditions& conditions, const Target& target, const std::vector<bool>& used,
-                         std::vector<HistoryRow>& history, const OnCompareProgress& on_progress, const Runtime& runtime,
-                         const FinalView& view)
-    : options_(options), target_(target), used_(used), on_progress_(on_progress) {
+Calibration::Calibration(const CompareOptions& options, const Conditions& conditions, const Target& target, const PerColumn<bool>& used,
+                         const OnCompareProgress& on_progress, const Runtime& runtime, const FinalView& view)
+    : options_(options), target_(target), used_(used.begin(), used.end()), on_progress_(on_progress) {
   for (std::size_t m = 0; m < options.models.size(); ++m)
-    searches_.emplace_back(m, options.models[m], conditions, target, options, history, runtime, view);
+    searches_.emplace_back(m, options.models[m], conditions, target, options, history_, runtime, view);
 }
 
-Ranking Calibration::run(const PerColumn<double>& resolution) {
-  Ranking out;
+CalibrationFacts Calibration::run(const PerColumn<double>& resolution) {
+  CalibrationFacts out;
   out.mean_weights = options_.mean_weights;
   Weighting searched = initial_weighting(used_, target_.worst());
   weighting_ = searched;

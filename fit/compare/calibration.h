@@ -13,14 +13,17 @@ namespace swarmfit {
 // The comparison in progress: one search per model, and the weights they are judged by.
 class Calibration {
  public:
-  // used: columns of the score. All references must outlive it; candidates are added to the history.
-  Calibration(const CompareOptions& options, const Conditions& conditions, const Target& target, const std::vector<bool>& used,
-              std::vector<HistoryRow>& history, const OnCompareProgress& on_progress, const Runtime& runtime, const FinalView& view = {});
+  // used: columns of the score. All other references must outlive it.
+  Calibration(const CompareOptions& options, const Conditions& conditions, const Target& target, const PerColumn<bool>& used,
+              const OnCompareProgress& on_progress, const Runtime& runtime, const FinalView& view = {});
+  Calibration(const Calibration&) = delete;  // the searches write to its history
+  Calibration& operator=(const Calibration&) = delete;
 
   // Par-Est, steps 1 to 5. What the models are ranked by.
-  Ranking run(const PerColumn<double>& resolution);
+  CalibrationFacts run(const PerColumn<double>& resolution);
 
   const std::vector<ModelSearch>& searches() const { return searches_; }  // in the order in which models were named
+  const std::vector<HistoryRow>& history() const { return history_; }     // every candidate that was simulated
   const Weighting& weighting() const { return weighting_; }
 
  private:
@@ -29,8 +32,9 @@ class Calibration {
 
   const CompareOptions& options_;
   const Target& target_;
-  const std::vector<bool>& used_;
+  const std::vector<bool> used_;
   const OnCompareProgress& on_progress_;
+  std::vector<HistoryRow> history_;
   std::vector<ModelSearch> searches_;
   Weighting weighting_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "fit/compare/appearance.h"
 #include "fit/compare/calibration.h"
@@ -12,7 +13,6 @@
 #include "fit/compare/facts.h"
 #include "fit/compare/hold_out.h"
 #include "fit/compare/rank.h"
-#include "fit/compare/sensitivity.h"
 #include "fit/compare/warnings.h"
 #include "fit/compare/without_one.h"
 #include "fit/model_fit/model_fit_of.h"
@@ -21,94 +21,10 @@
 namespace swarmfit {
 namespace {
 
-RunRecord run_record(const CompareOptions& options) {
-  RunRecord out;
-  out.command = options.models.size() > 1 ? "compare" : "fit";
-  out.seed = options.seed;
-  out.protocol = options.protocol;
-  out.common = options.common;
-  out.budget = options.budget;
-  for (const ModelChoice& model : options.models) out.named.push_back(model.name);
-  return out;
-}
-
-std::vector<std::string> searched_names(const SearchSpace& space) {
-  std::vector<std::string> out;
-  for (const std::size_t row : space.searched()) out.emplace_back(space.model().spec->parameters[row].name);
-  return out;
-}
-
-// How sure the places of models are that stand in order, and what else is known of them once they do.
-void add_standings(std::vector<ModelFit>& models, const Trial& trial, const PerColumn<double>& weights, int pooled) {
-  std::vector<Energies> energies;
-  for (const ModelFit& fit : models) energies.push_back(fit.standing.energies);
-  const auto sure = certainties({&trial, 1}, pooled);
-  const auto sensitive = sensitivities(energies, weights);
-  for (std::size_t k = 0; k < models.size(); ++k) {
-    Standing& s = models[k].standing;
-    s.certainty = sure[k];
-    s.in_sample.group = sure[k].group;
-    s.in_sample.lower = sure[k].lower;
-    s.in_sample.upper = sure[k].upper;
-    s.sensitivity = sensitive[k];
-  }
-}
-
-// The same of the halves that were not fitted: that is what decides.
-void add_held_out(std::vector<ModelFit>& models, HoldOut& held, const Order& order, int pooled) {
-  std::vector<Trial> trials;
-  for (Trial& trial : held.trials) trials.push_back(in_order(std::move(trial), order));
-  const auto sure = certainties(trials, pooled);
-  for (std::size_t k = 0; k < models.size(); ++k) {
-    Standing& s = models[k].standing;
-    s.held_out = std::move(held.models[order[k]]);
-    s.held_out.gof_p = sure[k].gof_p;
-    Certainty& c = s.certainty;
-    c.group = sure[k].group;
-    c.set_p = sure[k].set_p;
-    std::tie(c.lower, c.upper, c.lead_lower, c.lead_upper) = std::tie(sure[k].lower, sure[k].upper, sure[k].lead_lower, sure[k].lead_upper);
-  }
-}
-
-// Between which values the parameters of the fits to halves lie.
-void add_ranges(ModelFit& fit, const ModelSpec& spec, const std::vector<std::vector<double>>& fits) {
-  for (ParameterResult& p : fit.parameters) {
-    if (!p.fitted) continue;
-    const auto row = static_cast<std::size_t>(spec.find(p.name));
-    const auto less = [row](const auto& a, const auto& b) { return a[row] < b[row]; };
-    const auto [low, high] = std::minmax_element(fits.begin(), fits.end(), less);
-    p.halves_lower = (*low)[row];
-    p.halves_upper = (*high)[row];
-  }
-}
-
-void describe_ranking(Comparison& result, const Trial& trial) {
-  Ranking& ranking = result.ranking;
-  ranking.lags = lag_facts(result.recording, ranking.weights);
-  ranking.bootstrap_recordings = static_cast<int>(trial.bootstraps.recordings.size());
-  ranking.band = band_of(trial.bootstraps.recordings, *trial.target);
-  ranking.without = without_each(result.models, result.recording);
-  ranking.walk_suffices = walk_suffices(result.recording.skill, result.models);
-}
-
 void check_likelihood(const CompareOptions& options) {
   const auto has_one = [](const ModelChoice& m) { return m.spec->linear != nullptr; };
   if (options.likelihood && std::none_of(options.models.begin(), options.models.end(), has_one))
     throw InputError("`likelihood`: none of these models has one in closed form; expected langevin among them");
-}
-
-// Puts the models in order, and says how sure that is.
-void rank_models(Comparison& result, Trial trial, std::optional<HoldOut>& held, int pooled) {
-  const Order order = order_by_score(result.models);
-  result.models = in_order(std::move(result.models), order);
-  number(result.models);
-  trial = in_order(std::move(trial), order);
-  add_standings(result.models, trial, result.ranking.weights, pooled);
-  if (held) {
-    result.recording.hold_out = held->facts;
-    add_held_out(result.models, *held, order, pooled);
-  }
-  describe_ranking(result, trial);
 }
 
 bool holds_out(const Tracks& recording, const CompareOptions& options) {
@@ -123,37 +39,114 @@ PerColumn<bool> clear_columns(const ObservationFacts& o) {
   return out;
 }
 
-// A model's search as the comparison shows it; all but its place among the others.
-ModelFit fit_of(const ModelSearch& search, const ModelChoice& model, const CompareOptions& options, std::size_t m) {
-  ModelFit fit = model_fit_of(search);
-  fit.learns = model.spec->needs_reference;
-  if (options.likelihood) fill_likelihood(fit, search, Rng{options.seed}.derive(Stream::probe, m));
-  if (options.posterior) fill_posterior(fit, search, Rng{options.seed}.derive(Stream::posterior, m));
-  return fit;
+std::vector<std::string> searched_names(const SearchSpace& space) {
+  std::vector<std::string> out;
+  for (const std::size_t row : space.searched()) out.emplace_back(space.model().spec->parameters[row].name);
+  return out;
 }
 
-// Fits as they are ranked, and what says how sure that is.
-Trial tried(Comparison& result, const Calibration& calibration, const Target& target, const Appearance& appearance,
-            const std::optional<HoldOut>& held, const CompareOptions& options) {
-  const Weighting& weighting = calibration.weighting();
-  Trial trial{{}, {{}, {}, {}, {options.seed}}, &target, weighting};
-  std::vector<std::vector<Energies>> selections;
-  for (std::size_t m = 0; m < options.models.size(); ++m) {
-    const ModelSearch& search = calibration.searches()[m];
-    ModelFit fit = fit_of(search, options.models[m], options, m);
-    fit.standing = standing_of(fit.runs, weighting);
-    trial.models.push_back({fit.standing.score, fit.runs.raw_energies});
-    if (held) fit.standing.score = held->scores[m];
-    if (held) add_ranges(fit, *options.models[m].spec, held->values[m]);
-    appearance.show(fit, search.selected().views);
-    trial.bootstraps.of.push_back(
-        bootstrap_of(search.objective(), search.space().parameters(search.selected().x), {options.seed}, options.bootstrap_recordings));
-    selections.push_back(search.selections());
-    result.run.searched.push_back(searched_names(search.space()));
-    result.models.push_back(std::move(fit));
+RunRecord run_record(const CompareOptions& options, const Calibration& calibration) {
+  RunRecord out;
+  out.command = options.models.size() > 1 ? "compare" : "fit";
+  out.seed = options.seed;
+  out.protocol = options.protocol;
+  out.common = options.common;
+  out.budget = options.budget;
+  for (const ModelChoice& model : options.models) out.named.push_back(model.name);
+  for (const ModelSearch& search : calibration.searches()) out.searched.push_back(searched_names(search.space()));
+  out.history = calibration.history();
+  return out;
+}
+
+// Between which values the parameters of the fits to halves lie.
+void add_ranges(ModelFit& fit, const ModelSpec& spec, const std::vector<std::vector<double>>& fits) {
+  for (ParameterResult& p : fit.parameters) {
+    if (!p.fitted) continue;
+    const auto row = static_cast<std::size_t>(spec.find(p.name));
+    const auto less = [row](const auto& a, const auto& b) { return a[row] < b[row]; };
+    const auto [low, high] = std::minmax_element(fits.begin(), fits.end(), less);
+    p.halves_lower = (*low)[row];
+    p.halves_upper = (*high)[row];
   }
-  trial.bootstraps.scatter = search_scatter(selections, weighting);
-  return trial;
+}
+
+// Everything about the models but where they stand, in the order in which they were named.
+std::vector<ModelFit> fits_of(const Calibration& calibration, const Appearance& appearance, const std::optional<HoldOut>& held,
+                              const CompareOptions& options) {
+  std::vector<ModelFit> out;
+  for (const ModelSearch& search : calibration.searches()) {
+    ModelFit fit = model_fit_of(search, {options.likelihood, options.posterior}, {options.seed});
+    if (held) add_ranges(fit, *search.space().model().spec, held->values[search.index()]);
+    Look look = appearance.of(search.selected().views);
+    fit.likeness = std::move(look.likeness);
+    fit.film = std::move(look.film);
+    out.push_back(std::move(fit));
+  }
+  return out;
+}
+
+// What the models came to on the recording that was fitted, and on recordings of their own.
+Trial in_sample_trial(const Calibration& calibration, const Target& target, const CompareOptions& options) {
+  const Weighting& weighting = calibration.weighting();
+  Trial out{{}, {{}, {}, {}, {options.seed}}, &target, weighting};
+  std::vector<std::vector<Energies>> selections;
+  for (const ModelSearch& search : calibration.searches()) {
+    const auto& [x, outcome, views] = search.selected();
+    out.models.push_back({-cost_of(outcome.raw, weighting), outcome.raw});
+    out.bootstraps.of.push_back(
+        bootstrap_of(search.objective(), search.space().parameters(x), {options.seed}, options.bootstrap_recordings));
+    selections.push_back(search.selections());
+  }
+  out.bootstraps.scatter = search_scatter(selections, weighting);
+  return out;
+}
+
+std::vector<ModelFit> in_place(std::vector<ModelFit> fits, const Ranked& ranked) {
+  std::vector<ModelFit> out = in_order(std::move(fits), ranked.order);
+  for (std::size_t k = 0; k < out.size(); ++k) out[k].standing = ranked.standings[k];
+  return out;
+}
+
+// What is compared with: known before anything is simulated.
+struct Subject {
+  Conditions conditions;
+  Target target;
+  ObservationFacts observation;
+  PerColumn<double> resolution;
+};
+
+Subject subject_of(const Tracks& recording, const CompareOptions& options) {
+  Conditions conditions = make_conditions(recording, options.conditions);
+  conditions.metrics.lags = lags_for(conditions, options);
+  Target target(recorded_samples(conditions.recording, conditions.metrics), options.binning);
+  ObservationFacts observation = observation_facts(conditions, target, options);
+  PerColumn<double> least = resolution(conditions, target, options, observation.error_dominated);
+  return {std::move(conditions), std::move(target), std::move(observation), std::move(least)};
+}
+
+RecordingFacts recording_facts(const Tracks& recording, const Subject& subject, const Appearance& appearance,
+                               const std::optional<HoldOut>& held) {
+  RecordingFacts out = measured_facts(subject.target);
+  out.data = data_facts(recording, subject.conditions.scales);
+  out.observation = subject.observation;
+  out.resolution = subject.resolution;
+  out.skill = appearance.skill().skill();
+  out.panel = appearance.skill().panel();
+  out.pictures = appearance.pictures();
+  out.forces = appearance.forces();
+  if (held) out.hold_out = held->facts;
+  return out;
+}
+
+Ranking ranking_of(CalibrationFacts calibrated, const RecordingFacts& facts, const std::vector<ModelFit>& models, const Bootstrap& of_first,
+                   const Target& target) {
+  std::vector<LagFacts> lags = lag_facts(facts, calibrated.weights);
+  return {std::move(calibrated),
+          std::move(lags),
+          static_cast<int>(of_first.size()),
+          band_of(of_first, target),
+          without_each(models, facts),
+          walk_suffices(facts.skill, models)};
 }
 
 }  // namespace
@@ -162,31 +155,23 @@ Comparison compare(const Tracks& recording, const CompareOptions& wanted, const 
   check_requests(wanted.requests, wanted.models);
   check_likelihood(wanted);
   const CompareOptions options = wanted.common_dynamics ? with_common_dynamics(recording, wanted, on_progress, runtime) : wanted;
-  Conditions conditions = make_conditions(recording, options.conditions);
-  conditions.metrics.lags = lags_for(conditions, options);
-  const Target target(recorded_samples(conditions.recording, conditions.metrics), options.binning);
-  Appearance appearance(conditions, options.models.size());
-
-  Comparison result;
-  result.run = run_record(options);
-  result.film = appearance.film();
-  result.around = appearance.around();
-  result.recording = recording_facts(recording, conditions, target, options);
-  result.recording.pictures = appearance.pictures();
-  result.recording.forces = appearance.forces();
-
-  const ObservationFacts& observation = result.recording.observation;
-  const std::vector<bool> used(observation.used.begin(), observation.used.end());
-  Calibration calibration(options, conditions, target, used, result.run.history, on_progress, runtime, appearance.view());
-  appearance.assess(clear_columns(observation), options.seed, runtime);  // computes, so after whatever the searches refuse
-  result.recording.skill = appearance.skill().skill();
-  result.recording.panel = appearance.skill().panel();
-  result.ranking = calibration.run(result.recording.resolution);
-
+  const Subject subject = subject_of(recording, options);
+  Appearance appearance(subject.conditions, options.models.size());
+  Calibration calibration(options, subject.conditions, subject.target, subject.observation.used, on_progress, runtime, appearance.view());
+  appearance.assess(clear_columns(subject.observation), options.seed, runtime);  // computes, so after whatever the searches refuse
+  const CalibrationFacts calibrated = calibration.run(subject.resolution);
   std::optional<HoldOut> held;
   if (holds_out(recording, options)) held = hold_out(recording, wanted, on_progress, runtime);
-  Trial trial = tried(result, calibration, target, appearance, held, options);
-  rank_models(result, std::move(trial), held, options.budget.final_replicates);
+
+  std::vector<ModelFit> fits = fits_of(calibration, appearance, held, options);
+  std::vector<FinalRuns> runs;
+  for (const ModelFit& fit : fits) runs.push_back(fit.runs);
+  const Ranked placed = ranked(runs, in_sample_trial(calibration, subject.target, options), held, options.budget.final_replicates);
+
+  const RecordingFacts facts = recording_facts(recording, subject, appearance, held);
+  const std::vector<ModelFit> models = in_place(std::move(fits), placed);
+  const Ranking ranking = ranking_of(calibrated, facts, models, placed.of_first, subject.target);
+  Comparison result{run_record(options, calibration), facts, ranking, models, appearance.film(), appearance.around(), {}};
   result.warnings = all_warnings(result);
   return result;
 }

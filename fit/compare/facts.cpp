@@ -208,14 +208,6 @@ RecordingFacts measured_facts(const Target& target) {
   return r;
 }
 
-RecordingFacts recording_facts(const Tracks& recording, const Conditions& c, const Target& target, const CompareOptions& options) {
-  RecordingFacts r = measured_facts(target);
-  r.data = data_facts(recording, c.scales);
-  r.observation = observation_facts(c, target, options);
-  r.resolution = resolution(c, target, options, r.observation.error_dominated);
-  return r;
-}
-
 std::vector<int> lags_for(const Conditions& c, const CompareOptions& options) {
   require_lags(c.recording, options.lags);
   if (!options.lags.empty()) return options.lags;

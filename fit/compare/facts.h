@@ -25,9 +25,6 @@ DataFacts data_facts(const Tracks& recording, const Scales& scales);
 // The recording's distributions and their axes; nothing else is known yet.
 RecordingFacts measured_facts(const Target& target);
 
-// All but skill, panel and hold-out. The recording is the whole one, whatever part of it is fitted.
-RecordingFacts recording_facts(const Tracks& recording, const Conditions& conditions, const Target& target, const CompareOptions& options);
-
 // What each lag contributes to the score under these weights.
 std::vector<LagFacts> lag_facts(const RecordingFacts& recording, const PerColumn<double>& weights);
 

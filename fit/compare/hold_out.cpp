@@ -105,8 +105,7 @@ class Way {
     Searched out;
     out.used.assign(observation.used.begin(), observation.used.end());
     out.resolution = resolution(fitted_, *target_, options, observation.error_dominated);
-    std::vector<HistoryRow> history;
-    Calibration calibration(options, fitted_, *target_, out.used, history, on_progress_, runtime_);
+    Calibration calibration(options, fitted_, *target_, observation.used, on_progress_, runtime_);
     calibration.run(out.resolution);
     std::vector<std::vector<Energies>> selections;
     for (const ModelSearch& s : calibration.searches()) {

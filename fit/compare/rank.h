@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Where models stand under the weights of a comparison.
+// Where models stand in a comparison.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "fit/compare/certainty.h"
+#include "fit/compare/hold_out.h"
 #include "fit/results/comparison.h"
 
 namespace swarmfit {
 
-// Score in sample, which is what decides until something else does, and normalised energies; whatever needs the others is not known yet.
-Standing standing_of(const FinalRuns& runs, const Weighting& weighting);
-
-// Numbers of the models by score, best first; undefined scores come last.
+// Numbers of the models, best first.
 using Order = std::vector<std::size_t>;
-Order order_by_score(const std::vector<ModelFit>& models);
 
 template <class T>
 std::vector<T> in_order(std::vector<T> values, const Order& order) {
@@ -27,7 +25,14 @@ std::vector<T> in_order(std::vector<T> values, const Order& order) {
 // The best model's own recordings are those that are scored.
 Trial in_order(Trial trial, const Order& order);
 
-// Ranks of models that stand in order, and of their scores in sample; none for undefined scores.
-void number(std::vector<ModelFit>& models);
+struct Ranked {
+  Order order;                      // by the score that decides; undefined ones come last
+  std::vector<Standing> standings;  // in that order
+  Bootstrap of_first;
+};
+
+// What decides are the scores on the halves that were not fitted, or else those in sample. runs: the final ones of each model, in the order
+// of the trial, which is in sample; pooled: how many there are.
+Ranked ranked(const std::vector<FinalRuns>& runs, Trial in_sample, const std::optional<HoldOut>& held, int pooled);
 
 }  // namespace swarmfit

@@ -45,31 +45,8 @@ void mark_interaction(std::vector<ParameterResult>& parameters, const ModelSpec&
   }
 }
 
-}  // namespace
-
-ModelFit model_fit_of(const ModelSearch& search) {
-  const Ensemble& ensemble = search.objective().ensemble();
-  const ModelChoice& model = ensemble.model();
-  const Target& target = search.objective().target();
-  const Selected& best = search.selected();
-  ModelFit fit;
-  fit.model = model.name;
-  fit.summary = summary_of(model);
-  fit.citation = model.spec->citation;
-  fit.options = {model.options.begin(), model.options.end()};
-  fit.parameters = search.space().describe(best.x, ensemble.conditions().recording.meta().unit);
-  mark_interaction(fit.parameters, *model.spec);
-  fit.search = {search.evaluations(), search.simulations(), search.failed(), search.stop_reason(), search.convergence()};
-  fit.runs = final_runs(best.outcome, target);
-  const Outcome halved = search.objective().energies(search.space().parameters(best.x), search.final_seeds(), 2);
-  fit.runs.half_step_energies = halved.raw;
-  fit.runs.steps = ensemble.steps();
-  fit.runs.map = model.spec->is_map(model.options);
-  fit.runs.steps_settled = fit.runs.map || far_off(best.outcome, target) || same_energies(best.outcome, halved, target);
-  return fit;
-}
-
-void fill_posterior(ModelFit& fit, const ModelSearch& search, const Rng& rng) {
+// The posterior of its searched parameters.
+void add_posterior(ModelFit& fit, const ModelSearch& search, const Rng& rng) {
   if (search.space().dimensions() == 0) return;
   const ParameterPosterior found = posterior_of(search.space(), search.objective(), rng);
   for (const ParameterInterval& p : found.parameters) {
@@ -87,7 +64,8 @@ void fill_posterior(ModelFit& fit, const ModelSearch& search, const Rng& rng) {
   for (const PosteriorRound& round : found.posterior.rounds) facts.simulations += round.simulations, facts.blew_up += round.blew_up;
 }
 
-void fill_likelihood(ModelFit& fit, const ModelSearch& search, const Rng& rng) {
+// Its parameters of maximum likelihood.
+void add_likelihood(ModelFit& fit, const ModelSearch& search, const Rng& rng) {
   const SearchSpace& space = search.space();
   const auto found = maximum_likelihood(space, search.objective().ensemble().conditions(), search.selected().x, rng);
   if (!found) return;
@@ -97,6 +75,33 @@ void fill_likelihood(ModelFit& fit, const ModelSearch& search, const Rng& rng) {
     const auto row = std::find_if(fit.parameters.begin(), fit.parameters.end(), [&](const ParameterResult& r) { return r.name == name; });
     row->likelihood = {one.value, one.lower, one.upper};
   }
+}
+
+}  // namespace
+
+ModelFit model_fit_of(const ModelSearch& search, const Estimates& wanted, const Rng& root) {
+  const Ensemble& ensemble = search.objective().ensemble();
+  const ModelChoice& model = ensemble.model();
+  const Target& target = search.objective().target();
+  const Selected& best = search.selected();
+  ModelFit fit;
+  fit.model = model.name;
+  fit.summary = summary_of(model);
+  fit.citation = model.spec->citation;
+  fit.options = {model.options.begin(), model.options.end()};
+  fit.parameters = search.space().describe(best.x, ensemble.conditions().recording.meta().unit);
+  mark_interaction(fit.parameters, *model.spec);
+  fit.learns = model.spec->needs_reference;
+  fit.search = {search.evaluations(), search.simulations(), search.failed(), search.stop_reason(), search.convergence()};
+  fit.runs = final_runs(best.outcome, target);
+  const Outcome halved = search.objective().energies(search.space().parameters(best.x), search.final_seeds(), 2);
+  fit.runs.half_step_energies = halved.raw;
+  fit.runs.steps = ensemble.steps();
+  fit.runs.map = model.spec->is_map(model.options);
+  fit.runs.steps_settled = fit.runs.map || far_off(best.outcome, target) || same_energies(best.outcome, halved, target);
+  if (wanted.likelihood) add_likelihood(fit, search, root.derive(Stream::probe, search.index()));
+  if (wanted.posterior) add_posterior(fit, search, root.derive(Stream::posterior, search.index()));
+  return fit;
 }
 
 std::vector<double> parameter_values(const ModelChoice& model, const ModelFit& fit) {

@@ -7,13 +7,14 @@
 
 namespace swarmfit {
 
-// What the selected parameters of a search came to. Posterior, standing, likeness and film are not known yet.
-ModelFit model_fit_of(const ModelSearch& search);
+// What is estimated beside the best parameters.
+struct Estimates {
+  bool likelihood = false;  // of models that have one (fit/model_fit/likelihood.h)
+  bool posterior = false;   // where anything was searched (fit/model_fit/parameter_posterior.h)
+};
 
-// Its parameters of maximum likelihood (fit/model_fit/likelihood.h); nothing is done for models that have none.
-void fill_likelihood(ModelFit& fit, const ModelSearch& search, const Rng& rng);
-
-// The posterior of its searched parameters (fit/model_fit/parameter_posterior.h); nothing is done where nothing was searched.
-void fill_posterior(ModelFit& fit, const ModelSearch& search, const Rng& rng);
+// What the selected parameters of a search came to, and estimates on random numbers of `root`. Standing, likeness and film are others'
+// work.
+ModelFit model_fit_of(const ModelSearch& search, const Estimates& wanted, const Rng& root);
 
 }  // namespace swarmfit

@@ -35,6 +35,7 @@ class ModelSearch {
   // other does not have, which is the other where its settings only leave something out.
   void suggest(const ModelSearch& other);
 
+  std::size_t index() const { return index_; }
   std::int64_t planned(int number) const;  // simulations of a pass, at most
   const Selected& selected() const { return selected_; }
   const std::vector<Energies>& selections() const { return selections_; }  // raw energies of what each pass selected, on the final seeds

@@ -41,11 +41,15 @@ struct LeftOut {
   bool winner_changed = false;                          // another than the first leads, the first not being the one left out
 };
 
-struct Ranking {
+// What the calibration loop settled on.
+struct CalibrationFacts {
   PerColumn<double> weights{}, p1{}, p2{};
-  std::vector<WeightStep> weight_history;
+  std::vector<WeightStep> weight_history{};
   bool mean_weights = true;  // each pass searches under the mean of the weights before it, else under the last
   bool weights_converged = false;
+};
+
+struct Ranking : CalibrationFacts {
   std::vector<LagFacts> lags;    // ascending, those without a lag last
   int bootstrap_recordings = 0;  // recordings made by each fitted model, behind Standing::certainty; 0: none
   Band band;                     // of the first model
