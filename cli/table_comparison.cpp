@@ -189,6 +189,12 @@ std::vector<Setting> conditions() {  // NOLINT(readability-function-size): a tab
        .help = "also the parameters of maximum likelihood with 95 % intervals, for models whose motion is linear (langevin)",
        .allowed = on_or_off(),
        .use = [](Arguments& a, const Value& v) { a.compare.likelihood = v.on(); }},
+      {.name = "regression",
+       .in = kFits,
+       .help = "also the parameters by regression of accelerations with 95 % intervals, for models that move by forces and simple noise "
+               "(brownian, langevin, bswarm[noise=white]): a second opinion, without simulations",
+       .allowed = on_or_off(),
+       .use = [](Arguments& a, const Value& v) { a.compare.regression = v.on(); }},
       {.name = "obs-noise",
        .in = kComparisons,
        .help = "measurement error put on simulated positions: estimate (default), or a value in length units",

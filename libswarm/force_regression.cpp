@@ -1,340 +1,69 @@
 // SPDX-License-Identifier: MIT
 #include "libswarm/force_regression.h"
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "libswarm/force_design.h"
-#include "libtrack/distributions.h"
-#include "libtrack/linear_algebra.h"
 #include "libtrack/nan.h"
 
 namespace swarmfit {
 namespace {
 
-using Eigen::Array3d;
-using Eigen::ArrayXd;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-constexpr Index kLag = 4;        // frames between a force and its instruments
-constexpr Index kFirstSeen = 3;  // autocovariance without localisation error, in frames
-constexpr Index kLastSeen = 40;
-constexpr std::size_t kFewestSeen = 4, kSureToBeSeen = 15;
 constexpr double kAlpha = 0.05;
-constexpr double kFewestPieces = 5;
-constexpr double kSigmas = 4;                 // of chance, for memory
-constexpr Index kPiece = 50;                  // frames of a track that count as one observation
-constexpr double kLongest = 60;               // memory, in frames
-constexpr int kMemories = 24, kHalvings = 8;  // that are tried
-constexpr double kDoubled = 2, kAgrees = 0.05;
-constexpr double kBartlett = 0.61;  // variance of a mean of three autocovariances where neighbours correlate by a quarter
-
-// Sums that the regression needs, for any memory of the noise.
-struct NormalMoments {
-  MatrixXd now, before;  // instruments · terms of the same and of the preceding frame
-  VectorXd a_now, a_before;
-};
-
-// Noise that remembers: variance per axis, and by what it shrinks in a frame.
-struct Memory {
-  double rho = 0;
-  Array3d variance = Array3d::Zero();
-};
-
-// Autocovariance of Ornstein-Uhlenbeck noise in second differences over dt², by the same of the noise itself: shift 0 or 1. x: dt over the
-// memory. It is the fourth difference of g with g'''' = exp(-x|u|).
-double seen_memory(double x, int shift) {
-  if (x < 0.05) return std::exp(-x * shift);
-  const auto g = [x](double u) { return std::exp(-x * u) / std::pow(x, 4) + u / std::pow(x, 3) + u * u * u / (6 * x); };
-  return shift == 0 ? 6 * g(0) - 8 * g(1) + 2 * g(2) : g(3) - 4 * g(2) + 7 * g(1) - 4 * g(0);
-}
-// The same from a shift of two frames on: what exp(-x shift) is multiplied by.
-double seen_later(double x) { return x < 1e-6 ? 1 : std::pow(2 * std::sinh(x / 2) / x, 4); }
-
-class Regression {
- public:
-  Regression(const Tracks& tracks, const ForceBasis& basis) : basis_(basis), design_(tracks, basis), dt_(tracks.dt()) {
-    const auto n = static_cast<Index>(basis.size());
-    scale_ = VectorXd::Zero(n);
-    for (int axis = 0; axis < basis.dims; ++axis) scale_ += design_.terms(axis).colwise().squaredNorm().transpose();
-    scale_ = scale_.cwiseSqrt() / std::sqrt(static_cast<double>(std::max<Index>(1, design_.rows())));
-    moments_ = {MatrixXd::Zero(n, n), MatrixXd::Zero(n, n), VectorXd::Zero(n), VectorXd::Zero(n)};
-    for (int axis = 0; axis < basis.dims; ++axis)
-      for (const auto& run : long_runs()) {
-        // Products without blocks, whose size would depend on the machine and with it the last bits.
-        const Index some = run.count - kLag, now = run.first + kLag;
-        const auto z = design_.terms(axis).middleRows(run.first, some).transpose();
-        moments_.now += z.lazyProduct(design_.terms(axis).middleRows(now, some));
-        moments_.before += z.lazyProduct(design_.terms(axis).middleRows(now - 1, some));
-        moments_.a_now += z.lazyProduct(design_.acceleration(axis).segment(now, some));
-        moments_.a_before += z.lazyProduct(design_.acceleration(axis).segment(now - 1, some));
-        rows_ += axis == 0 ? some : 0;
-      }
-  }
-
-  Index rows() const { return rows_; }
-  const Memory& memory() const { return memory_; }
-  const VectorXd& coefficients() const { return theta_; }
-  const MatrixXd& covariance() const { return covariance_; }
-
-  // Forces of these groups alone, with the memory as it is.
-  void refit(const ForceGroups& kept) {
-    choose(kept);
-    solve();
-    add_errors();
-  }
-
-  // The same, and the memory that goes with them.
-  void fit(const ForceGroups& kept) {
-    choose(kept);
-    find_memory();
-    solve();
-    add_errors();
-  }
-
-  // Could all coefficients of a group be 0?
-  double p_of(ForceGroup group) const {
-    const auto first = static_cast<Index>(basis_.first(group)), count = static_cast<Index>(basis_.count(group));
-    if (count == 0 || !(scale_.segment(first, count).minCoeff() > 0)) return kNaN;
-    const VectorXd theta = theta_.segment(first, count);
-    const MatrixXd covariance = covariance_.block(first, first, count, count);
-    const auto many = static_cast<double>(count), pieces = static_cast<double>(pieces_);
-    if (pieces < many + kFewestPieces) return kNaN;
-    const double wald = theta.dot(least_squares(covariance, theta));
-    if (!std::isfinite(wald)) return 1;
-    return fisher_f_tail(std::max(0.0, wald) * (pieces - many) / (many * (pieces - 1)), many, pieces - many);
-  }
-
-  // Strength of what is white, per axis.
-  Array3d white() const {
-    Array3d out = Array3d::Zero();
-    for (int axis = 0; axis < basis_.dims; ++axis) {
-      const double x = memory_.rho > 0 ? -std::log(memory_.rho) : 0;
-      const double of_memory[] = {memory_.variance[axis] * seen_memory(x, 0), memory_.variance[axis] * seen_memory(x, 1)};
-      const double sum = 2 * (autocovariance(axis, 0) - of_memory[0]) + 3 * (autocovariance(axis, 1) - of_memory[1]);
-      out[axis] = std::sqrt(std::max(0.0, 6 * dt_ / 11 * sum));
-    }
-    return out;
-  }
-
- private:
-  std::vector<ForceDesign::Run> long_runs() const {
-    std::vector<ForceDesign::Run> out;
-    for (const auto& run : design_.runs())
-      if (run.count > kLag) out.push_back(run);
-    return out;
-  }
-
-  // Coefficients of these groups that any row can tell, and those that none can.
-  void choose(const ForceGroups& kept) {
-    columns_.clear();
-    unseen_.clear();
-    for (std::size_t g = 0; g < kForceGroups; ++g)
-      for (std::size_t k = 0; kept[g] && k < basis_.count(static_cast<ForceGroup>(g)); ++k) {
-        const auto c = static_cast<Index>(basis_.first(static_cast<ForceGroup>(g)) + k);
-        (scale_[c] > 0 ? columns_ : unseen_).push_back(c);
-      }
-  }
-
-  void solve() {
-    const auto n = static_cast<Index>(columns_.size());
-    const VectorXd s = scale_(columns_);
-    normal_ = (moments_.now - memory_.rho * moments_.before)(columns_, columns_);
-    normal_ = s.cwiseInverse().asDiagonal() * normal_ * s.cwiseInverse().asDiagonal();
-    const VectorXd right = s.cwiseInverse().asDiagonal() * VectorXd((moments_.a_now - memory_.rho * moments_.a_before)(columns_));
-    theta_ = VectorXd::Zero(static_cast<Index>(basis_.size()));
-    if (n > 0) theta_(columns_) = s.cwiseInverse().asDiagonal() * least_squares(normal_, right);
-    for (int axis = 0; axis < basis_.dims; ++axis)
-      residuals_[static_cast<std::size_t>(axis)] = design_.acceleration(axis) - design_.terms(axis) * theta_;
-  }
-
-  double autocovariance(int axis, Index shift) const {
-    double sum = 0;
-    Index count = 0;
-    const VectorXd& e = residuals_[static_cast<std::size_t>(axis)];
-    for (const auto& run : design_.runs())
-      if (run.count > shift) {
-        sum += e.segment(run.first, run.count - shift).dot(e.segment(run.first + shift, run.count - shift));
-        count += run.count - shift;
-      }
-    return count > 0 ? sum / static_cast<double>(count) : 0;
-  }
-
-  // Autocovariances of the residuals that localisation error does not reach, per axis, until they have died away: what follows is chance,
-  // and long waves of it. Too few to tell a memory: none.
-  Eigen::ArrayX3d remembered() const {
-    Index longest = 0;
-    for (const auto& run : design_.runs()) longest = std::max(longest, run.count);
-    const Index last = std::min(kLastSeen, longest / 4);
-    std::vector<Array3d> found;
-    for (Index s = kFirstSeen; s <= last && (found.size() < kSureToBeSeen || found.back().sum() > 0); ++s) {
-      Array3d at = Array3d::Zero();
-      for (int axis = 0; axis < basis_.dims; ++axis) at[axis] = autocovariance(axis, s);
-      found.push_back(at);
-    }
-    if (found.size() < kFewestSeen) return {};
-    Eigen::ArrayX3d seen(static_cast<Index>(found.size()), 3);
-    for (std::size_t k = 0; k < found.size(); ++k) seen.row(static_cast<Index>(k)) = found[k].transpose();
-    return seen;
-  }
-
-  // Noise with this memory (dt over it is x) that looks most like them, and how much it misses: least squares.
-  struct Alike {
-    Array3d variance;
-    double missed;
-  };
-  static Alike alike(const Eigen::ArrayX3d& seen, double x) {
-    const ArrayXd shift = ArrayXd::LinSpaced(seen.rows(), kFirstSeen, static_cast<double>(kFirstSeen + seen.rows() - 1));
-    const ArrayXd curve = seen_later(x) * (-x * shift).exp();
-    const Array3d variance = (seen.colwise() * curve).colwise().sum().transpose() / curve.square().sum();
-    double missed = 0;
-    for (int axis = 0; axis < 3; ++axis) missed += (seen.col(axis) - variance[axis] * curve).square().sum();
-    return {variance.max(0), missed};
-  }
-
-  // By how much it shrinks in a frame.
-  static Memory memory_of(const Eigen::ArrayX3d& seen) {
-    Memory best;
-    double least = INFINITY;
-    for (int k = 0; k <= 200 && seen.rows() > 0; ++k) {  // of one frame to kLongest
-      const double x = std::pow(kLongest, -k / 200.0);
-      if (const Alike a = alike(seen, x); a.missed < least) least = a.missed, best = {std::exp(-x), a.variance};
-    }
-    return best;
-  }
-
-  // The shortest memory that agrees with the forces that it leads to. With a memory too long there are no forces but noise, or large ones
-  // that undo it: noise that doubles in variance is not believed.
-  void find_memory() {
-    memory_ = {};
-    const auto beyond = [&](double rho) {  // by how much the residuals remember longer than that, and a twentieth
-      memory_.rho = rho;
-      solve();
-      const Memory found = memory_of(remembered());
-      memory_.variance = found.variance;
-      return found.rho - rho - kAgrees * (1 - rho);
-    };
-    double low = 0, nearest = 0, least = beyond(0);
-    const double most = kDoubled * memory_.variance.sum();
-    const bool any = most > 0 && remembers();
-    for (int k = 0; any && k <= kMemories; ++k) {
-      double high = std::exp(-std::pow(kLongest, -k / double{kMemories}));
-      const double now = beyond(high);
-      if (memory_.variance.sum() > most) break;
-      if (now <= 0) {
-        for (int n = 0; n < kHalvings; ++n) {
-          const double middle = 0.5 * (low + high);
-          (beyond(middle) > 0 ? low : high) = middle;
-        }
-        nearest = high;
-        break;
-      }
-      if (now < least) least = now, nearest = high;
-      low = high;
-    }
-    memory_ = {};
-    if (nearest <= 0) return;
-    memory_.rho = nearest;
-    solve();
-    const Eigen::ArrayX3d seen = remembered();
-    if (seen.rows() > 0) memory_.variance = alike(seen, -std::log(nearest)).variance;
-    if (!(memory_.variance.sum() > 0) || !remembers()) memory_ = {};
-  }
-
-  // Are autocovariances that localisation error does not reach more than chance?
-  bool remembers() const {
-    double seen = 0, chance = 0;
-    for (int axis = 0; axis < basis_.dims; ++axis) {
-      for (Index s = kFirstSeen; s < kFirstSeen + 3; ++s) seen += autocovariance(axis, s) / 3;
-      chance += kBartlett * std::pow(autocovariance(axis, 0), 2) / static_cast<double>(std::max<Index>(1, rows_));
-    }
-    return seen > kSigmas * std::sqrt(chance);
-  }
-
-  // Sandwich over pieces of tracks.
-  void add_errors() {
-    const auto n = static_cast<Index>(columns_.size()), all = static_cast<Index>(basis_.size());
-    covariance_ = MatrixXd::Zero(all, all);
-    if (n == 0) return;
-    const VectorXd s = scale_(columns_);
-    MatrixXd meat = MatrixXd::Zero(n, n);
-    pieces_ = 0;
-    for (const auto& run : long_runs())
-      for (Index begin = kLag; begin < run.count; begin += kPiece) {
-        const Index count = std::min(kPiece, run.count - begin), from = run.first + begin;
-        VectorXd score = VectorXd::Zero(n);
-        for (int axis = 0; axis < basis_.dims; ++axis) {
-          const VectorXd& e = residuals_[static_cast<std::size_t>(axis)];
-          const VectorXd fresh = e.segment(from, count) - memory_.rho * e.segment(from - 1, count);
-          score += (design_.terms(axis).middleRows(from - kLag, count).transpose() * fresh)(columns_).cwiseQuotient(s);
-        }
-        meat += score * score.transpose();
-        ++pieces_;
-      }
-    if (pieces_ > 1) meat *= static_cast<double>(pieces_) / static_cast<double>(pieces_ - 1);
-    const MatrixXd inverse = pseudo_inverse(normal_);
-    const MatrixXd scaled = s.cwiseInverse().asDiagonal() * (inverse * meat * inverse.transpose()) * s.cwiseInverse().asDiagonal();
-    covariance_(columns_, columns_) = scaled;
-    for (const Index c : unseen_) covariance_.row(c).setConstant(kNaN), covariance_.col(c).setConstant(kNaN);
-  }
-
-  const ForceBasis& basis_;
-  ForceDesign design_;
-  double dt_;
-  VectorXd scale_;  // root mean square of every term
-  NormalMoments moments_;
-  Index rows_ = 0;
-  std::vector<Index> columns_, unseen_;  // of the groups that are fitted
-  MatrixXd normal_, covariance_;
-  VectorXd theta_;
-  std::array<VectorXd, 3> residuals_;
-  Memory memory_;
-  Index pieces_ = 0;
-};
-
 constexpr ForceGroups kSimplest{true, false, true};      // drag and confinement
 constexpr double kNeeded = kAlpha / (kForceGroups - 2);  // of those that are tested
-
-// To drag and confinement the group that is needed most comes in and those that are not needed any more go out, as long as one does.
-// The memory of the noise stays as it is.
-ForceGroups needed_groups(Regression& regression, const ForceGroups& there) {
-  ForceGroups kept = kSimplest;
-  for (std::size_t round = 0; round < kForceGroups; ++round) {
-    std::optional<std::size_t> next;
-    double least = kNeeded;
-    for (std::size_t g = 0; g < kForceGroups; ++g) {
-      if (kept[g] || !there[g]) continue;
-      ForceGroups with = kept;
-      with[g] = true;
-      regression.refit(with);
-      if (const double p = regression.p_of(static_cast<ForceGroup>(g)); p < least) least = p, next = g;
-    }
-    if (next) kept[*next] = true;
-    regression.refit(kept);
-    bool gone = false;
-    for (std::size_t g = 0; g < kForceGroups; ++g)
-      if (kept[g] && !kSimplest[g] && !(regression.p_of(static_cast<ForceGroup>(g)) < kNeeded)) kept[g] = false, gone = true;
-    if (!next && !gone) break;
-  }
-  return kept;
-}
 
 }  // namespace
 
 // What is measured once, and fitted again and again.
 struct ForceRegression::Measured {
-  Measured(const Tracks& tracks, const ForceBasis& of) : basis(of), dt(tracks.dt()), regression(tracks, basis) {
+  Measured(const Tracks& tracks, const ForceBasis& of) : basis(of), dt(tracks.dt()), regression(force_design(tracks, of)) {
     for (std::size_t g = 0; g < kForceGroups; ++g) there[g] = basis.count(static_cast<ForceGroup>(g)) > 0;
+  }
+
+  // Coefficients of these groups.
+  std::vector<Index> columns(const ForceGroups& groups) const {
+    std::vector<Index> out;
+    for (std::size_t g = 0; g < kForceGroups; ++g)
+      for (std::size_t k = 0; groups[g] && k < basis.count(static_cast<ForceGroup>(g)); ++k)
+        out.push_back(static_cast<Index>(basis.first(static_cast<ForceGroup>(g)) + k));
+    return out;
+  }
+
+  double p_of(std::size_t group) const {
+    const auto of = static_cast<ForceGroup>(group);
+    return regression.p_of(static_cast<Index>(basis.first(of)), static_cast<Index>(basis.count(of)));
+  }
+
+  // To drag and confinement the group that is needed most comes in and those that are not needed any more go out, as long as one does.
+  // The memory of the noise stays as it is.
+  ForceGroups needed() {
+    ForceGroups kept = kSimplest;
+    for (std::size_t round = 0; round < kForceGroups; ++round) {
+      std::optional<std::size_t> next;
+      double least = kNeeded;
+      for (std::size_t g = 0; g < kForceGroups; ++g) {
+        if (kept[g] || !there[g]) continue;
+        ForceGroups with = kept;
+        with[g] = true;
+        regression.refit(columns(with));
+        if (const double p = p_of(g); p < least) least = p, next = g;
+      }
+      if (next) kept[*next] = true;
+      regression.refit(columns(kept));
+      bool gone = false;
+      for (std::size_t g = 0; g < kForceGroups; ++g)
+        if (kept[g] && !kSimplest[g] && !(p_of(g) < kNeeded)) kept[g] = false, gone = true;
+      if (!next && !gone) break;
+    }
+    return kept;
   }
 
   const ForceBasis basis;
   const double dt;
-  Regression regression;
+  InstrumentalRegression regression;
   ForceGroups there{};  // those that have any terms
 };
 
@@ -346,17 +75,17 @@ Index ForceRegression::enough() const { return 4 * static_cast<Index>(measured_-
 
 ForceGroups ForceRegression::needed() {
   if (rows() < enough()) return {};
-  measured_->regression.fit(measured_->there);
-  return needed_groups(measured_->regression, measured_->there);
+  measured_->regression.fit(measured_->columns(measured_->there));
+  return measured_->needed();
 }
 
 ForceFit ForceRegression::fit(const ForceGroups& groups) {
-  if (rows() >= enough()) measured_->regression.fit(there(groups));
+  if (rows() >= enough()) measured_->regression.fit(measured_->columns(there(groups)));
   return result(groups);
 }
 
 ForceFit ForceRegression::refit(const ForceGroups& groups) {
-  if (rows() >= enough()) measured_->regression.refit(there(groups));
+  if (rows() >= enough()) measured_->regression.refit(measured_->columns(there(groups)));
   return result(groups);
 }
 
@@ -366,23 +95,23 @@ ForceGroups ForceRegression::there(ForceGroups groups) const {
 }
 
 ForceFit ForceRegression::result(const ForceGroups& groups) const {
-  const Regression& r = measured_->regression;
+  const InstrumentalRegression& r = measured_->regression;
   const auto size = static_cast<Index>(measured_->basis.size());
   ForceFit out;
   out.law.basis = measured_->basis;
   out.rows = r.rows();
   out.p.fill(kNaN);
   if (rows() < enough()) {
-    out.law.coefficients = VectorXd::Constant(size, kNaN);
-    out.covariance = MatrixXd::Constant(size, size, kNaN);
+    out.law.coefficients = Eigen::VectorXd::Constant(size, kNaN);
+    out.covariance = Eigen::MatrixXd::Constant(size, size, kNaN);
     return out;
   }
   out.groups = there(groups);
   for (std::size_t g = 0; g < kForceGroups; ++g)
-    if (out.groups[g]) out.p[g] = r.p_of(static_cast<ForceGroup>(g));
+    if (out.groups[g]) out.p[g] = measured_->p_of(g);
   out.law.coefficients = r.coefficients();
   out.law.white = r.white();
-  if (const Memory& memory = r.memory(); memory.rho > 0) {
+  if (const NoiseMemory& memory = r.memory(); memory.rho > 0) {
     out.law.coloured = memory.variance.sqrt();
     out.law.memory = -measured_->dt / std::log(memory.rho);
   }

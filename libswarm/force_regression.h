@@ -9,19 +9,7 @@
 
 namespace swarmfit {
 
-// Symmetric differences (libswarm/force_design.h). With noise that remembers by rho from frame to frame,
-//
-//   a_t - rho a_{t-1} = theta · (c_t - rho c_{t-1}) + new noise,
-//
-// and new noise is independent of the terms c four frames before, which share no position with either side: they are the instruments of
-// a regression that neither localisation error nor the memory of the noise misleads (Söderström and Stoica 1983). rho and the variance of
-// the remembered noise are those of an exponential through the autocovariance of the residuals from the third frame on, where error is
-// gone, to where it has died away; the shortest memory is taken that agrees with its own theta. What is white is what the first two
-// autocovariances have beside it and beside the localisation error:
-//
-//   sigma² = 6 / (11 dt³) (2 Var D + 3 Cov(D_t, D_t+1)),  D = a dt²
-//
-// Errors are those of a sandwich over pieces of tracks; tests are Hotelling's, as there may be few of them.
+// Of symmetric differences (libswarm/symmetric_differences.h), by instruments (libswarm/instrumental_regression.h).
 class ForceRegression {
  public:
   ForceRegression(const Tracks& tracks, const ForceBasis& basis);

@@ -85,6 +85,15 @@ struct Setup;
 // All agents at once, from what was; or one after the other, each seeing where those before it are now.
 enum class Update { synchronous, sequential };
 
+// How to see the acceleration of a model that has one: a function of places and velocities, not of the step.
+struct ForceLike {
+  std::string when = {};                 // with which options it has one (as Parameter::when)
+  Options options = {};                  // without noise, and without rules that set velocities at once
+  std::vector<std::size_t> silent = {};  // rows of parameters that are 0 then
+  std::vector<std::size_t> jumps = {};   // and of those at which a force sets in or ends, all at once
+  std::string memory = {};               // options with which the noise has one (as ModelSpec::map); empty: it is white
+};
+
 struct ModelSpec {
   std::string name;
   std::string summary;    // one line
@@ -106,6 +115,7 @@ struct ModelSpec {
   std::function<std::unique_ptr<Model>(const Setup&)> make = {};  // called by make_model and nobody else
   // Its motion, where that is linear under these options and parameters (a value per row); null: never.
   std::optional<LinearMotion> (*linear)(const Options&, std::span<const double> parameters) = nullptr;
+  std::optional<ForceLike> force = {};  // of models whose velocities change by forces; see has_force
 
   // Every option with its value; throws InputError naming the legal names or values.
   Options resolve(const Options& given) const;
@@ -115,6 +125,9 @@ struct ModelSpec {
   bool uses(std::size_t p, const Options& options) const;
   // Does it decide once per step under these (complete) options? So does whatever has a fixed step.
   bool is_map(const Options& options) const;
+  // Has it an acceleration that can be seen under these (complete) options, and noise with a memory?
+  bool has_force(const Options& options) const;
+  bool remembers(const Options& options) const;
 };
 
 // A model with its options, as the user names it: "bswarm[noise=white,avoidance=none]".

@@ -128,6 +128,8 @@ bool meets(std::string_view when, const Options& given) {
   return used;
 }
 
+bool always_or_with(std::string_view when, const Options& given) { return when == "always" || (!when.empty() && meets(when, given)); }
+
 }  // namespace
 
 bool ModelSpec::uses(std::size_t p, const Options& given) const {
@@ -135,7 +137,13 @@ bool ModelSpec::uses(std::size_t p, const Options& given) const {
   return when.empty() || meets(when, given);
 }
 
-bool ModelSpec::is_map(const Options& given) const { return fixed_step || map == "always" || (!map.empty() && meets(map, given)); }
+bool ModelSpec::is_map(const Options& given) const { return fixed_step || always_or_with(map, given); }
+
+bool ModelSpec::has_force(const Options& given) const {
+  return force && !is_map(given) && (force->when.empty() || meets(force->when, given));
+}
+
+bool ModelSpec::remembers(const Options& given) const { return force && always_or_with(force->memory, given); }
 
 ModelChoice parse_model(std::string_view text, std::span<const ModelSpec> more) {
   const std::size_t bracket = text.find('[');

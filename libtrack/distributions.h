@@ -6,6 +6,8 @@
 
 namespace swarmfit {
 
+inline constexpr double kNormal95 = 1.959963984540054;  // standard deviations on either side hold 95 % of a normal distribution
+
 // The value that Student's t with so many degrees of freedom (> 0) exceeds with probability `tail` (0 to 1, without the ends).
 double student_t_above(double tail, double degrees);
 

@@ -21,10 +21,15 @@
 namespace swarmfit {
 namespace {
 
-void check_likelihood(const CompareOptions& options) {
-  const auto has_one = [](const ModelChoice& m) { return m.spec->linear != nullptr; };
-  if (options.likelihood && std::none_of(options.models.begin(), options.models.end(), has_one))
+void check_second_opinions(const CompareOptions& options) {
+  const auto has_likelihood = [](const ModelChoice& m) { return m.spec->linear != nullptr; };
+  if (options.likelihood && std::none_of(options.models.begin(), options.models.end(), has_likelihood))
     throw InputError("`likelihood`: none of these models has one in closed form; expected langevin among them");
+  const auto has_forces = [](const ModelChoice& m) { return m.spec->has_force(m.options); };
+  if (options.regression && std::none_of(options.models.begin(), options.models.end(), has_forces))
+    throw InputError(
+        "`regression`: none of these models moves by forces and simple noise; expected brownian, langevin or bswarm[noise=white] among "
+        "them");
 }
 
 bool holds_out(const Tracks& recording, const CompareOptions& options) {
@@ -75,7 +80,7 @@ std::vector<ModelFit> fits_of(const Calibration& calibration, const Appearance& 
                               const CompareOptions& options) {
   std::vector<ModelFit> out;
   for (const ModelSearch& search : calibration.searches()) {
-    ModelFit fit = model_fit_of(search, {options.likelihood, options.posterior}, {options.seed});
+    ModelFit fit = model_fit_of(search, {options.likelihood, options.regression, options.posterior}, {options.seed});
     if (held) add_ranges(fit, *search.space().model().spec, held->values[search.index()]);
     Look look = appearance.of(search.selected().views);
     fit.likeness = std::move(look.likeness);
@@ -153,7 +158,7 @@ Ranking ranking_of(CalibrationFacts calibrated, const RecordingFacts& facts, con
 
 Comparison compare(const Tracks& recording, const CompareOptions& wanted, const OnCompareProgress& on_progress, const Runtime& runtime) {
   check_requests(wanted.requests, wanted.models);
-  check_likelihood(wanted);
+  check_second_opinions(wanted);
   const CompareOptions options = wanted.common_dynamics ? with_common_dynamics(recording, wanted, on_progress, runtime) : wanted;
   const Subject subject = subject_of(recording, options);
   Appearance appearance(subject.conditions, options.models.size());

@@ -30,6 +30,7 @@ struct CompareOptions : SearchPlan {
   bool common_dynamics = false;     // what the models have in common is fitted once, with the first (fit/compare/common_dynamics.h)
   bool posterior = false;           // the posterior of every model's parameters, too
   bool likelihood = false;          // parameters of maximum likelihood, of models that have one
+  bool regression = false;          // parameters by regression of accelerations, of models that have forces
   double weight_tolerance = 0.005;  // the calibration has settled when no weight changes by more
 };
 

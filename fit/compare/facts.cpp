@@ -125,6 +125,17 @@ void warn_of_posterior(const ModelFit& fit, std::vector<Warning>& out) {
          apart.size() > 1 ? "s" : "");
 }
 
+// Two ways to the same parameters: one by what recordings look like, one by what accelerations depend on.
+void warn_of_regression(const ModelFit& fit, std::vector<Warning>& out) {
+  std::vector<std::string> apart;
+  for (const ParameterResult& p : fit.parameters)
+    if (p.value < p.regression.lower || p.value > p.regression.upper) apart.push_back(p.name);
+  if (!apart.empty())
+    warn(out, Gravity::note,
+         "{}: search and regression of accelerations disagree about {}: the best {} outside the 95 % interval of the regression.",
+         fit.model, fmt::join(apart, ", "), apart.size() > 1 ? "values lie" : "value lies");
+}
+
 }  // namespace
 
 PerColumn<double> resolution(const Conditions& c, const Target& target, const CompareOptions& options,
@@ -256,6 +267,7 @@ std::vector<Warning> warnings_for(const Comparison& r) {
     warn_of_fit(model, r, out);
     warn_of_parts(model, r, out);
     warn_of_posterior(model, out);
+    warn_of_regression(model, out);
   }
   return out;
 }

@@ -11,6 +11,7 @@
 #include "libeval/order.h"
 #include "libswarm/scenario/surroundings.h"
 #include "libtrack/cut.h"
+#include "libtrack/distributions.h"
 #include "libtrack/error.h"
 #include "libtrack/kinematics.h"
 #include "libtrack/quantile.h"
@@ -18,7 +19,7 @@
 namespace swarmfit {
 namespace {
 
-constexpr double kCentral = 0.95, kNormalCentral = 1.959963984540054;  // a share of all values, and half its width if they are normal
+constexpr double kCentral = 0.95;  // a share of all values
 
 // Everybody of the first frame, for the whole length of the recording.
 std::vector<Presence::Visit> constant_visits(const Tracks& tracks, std::vector<Presence::Visit> visits) {
@@ -166,7 +167,7 @@ Scales natural_scales(const Tracks& recording) {
     weight += static_cast<double>(frames[f].count);
   }
   return {weight > 0 ? std::sqrt(square / weight) : 0, paired ? spacing / static_cast<double>(paired) : 0, speed,
-          speed > 0 ? bulk / (2 * kNormalCentral * speed) : 1};
+          speed > 0 ? bulk / (2 * kNormal95 * speed) : 1};
 }
 
 Bounds parse_arena(const std::string& text, const Tracks& recording) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "libeval/energy.h"
+#include "libtrack/distributions.h"
 #include "libtrack/quantile.h"
 
 namespace swarmfit {
@@ -14,8 +15,7 @@ namespace {
 constexpr std::size_t kMostFrames = 9;
 constexpr std::size_t kFewest = 20;  // windows that an error must rest on
 constexpr Index kWindows = 20000;    // that are looked at, evenly spread over the recording
-constexpr double kShare = 0.95,
-                 kNormal = 1.959963984540054;  // of absolute values; below which lie so many of a standard normal distribution
+constexpr double kShare = 0.95;      // of absolute values
 
 // A derivative at the first of some frames, per frame: sum of w_k x_k.
 struct Filter {
@@ -92,7 +92,7 @@ Judgement judge(const Tracks& tracks, const Filter& filter, Index axis, double s
     velocity.add(after);
   }
   if (apart.size() < kFewest) return {};
-  const double sd = quantile(std::move(apart), kShare) / kNormal, white = sigma * sigma;
+  const double sd = quantile(std::move(apart), kShare) / kNormal95, white = sigma * sigma;
   const double shared = 2 * filter.w.front() * filter.w.front();
   Judgement out;
   out.variance = std::max(white * filter.norm(), (sd * sd - shared * white) / 2);

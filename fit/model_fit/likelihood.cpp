@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "libswarm/centre.h"
+#include "libtrack/distributions.h"
 #include "libtrack/linear_algebra.h"
 #include "libtrack/nan.h"
 
@@ -21,7 +22,6 @@ constexpr double kUnknownSpeed = 1e3;                 // standard deviation of a
 constexpr double kLeastError = 1e-4, kMostError = 1;  // of positions, in mean steps
 constexpr int kStarts = 2, kEvaluations = 400;        // starts beside the two that are not drawn
 constexpr double kCurvatureStep = 1e-3;               // in the unit cube
-constexpr double kNormal = 1.959963984540054;
 
 // y(t + dt) = keep y(t) + a normal error of this covariance.
 struct Transition {
@@ -242,7 +242,7 @@ std::optional<MaximumLikelihood> maximum_likelihood(const SearchSpace& space, co
     if (const double variance = covariance(a, a); inside && variance > 0) {
       const auto end = [&](double sign) {
         Point x = best.head(n);
-        x[a] = std::clamp(x[a] + sign * kNormal * std::sqrt(variance), 0.0, 1.0);
+        x[a] = std::clamp(x[a] + sign * kNormal95 * std::sqrt(variance), 0.0, 1.0);
         return space.parameters(x)[row];
       };
       one.lower = end(-1), one.upper = end(1);

@@ -6,6 +6,7 @@
 #include "fit/experiment/time_step.h"
 #include "fit/model_fit/likelihood.h"
 #include "fit/model_fit/parameter_posterior.h"
+#include "fit/model_fit/regression.h"
 #include "libtrack/nan.h"
 
 namespace swarmfit {
@@ -45,14 +46,16 @@ void mark_interaction(std::vector<ParameterResult>& parameters, const ModelSpec&
   }
 }
 
+ParameterResult& parameter(ModelFit& fit, const std::string& name) {
+  return *std::find_if(fit.parameters.begin(), fit.parameters.end(), [&](const ParameterResult& r) { return r.name == name; });
+}
+
 // The posterior of its searched parameters.
 void add_posterior(ModelFit& fit, const ModelSearch& search, const Rng& rng) {
   if (search.space().dimensions() == 0) return;
   const ParameterPosterior found = posterior_of(search.space(), search.objective(), rng);
-  for (const ParameterInterval& p : found.parameters) {
-    const auto row = std::find_if(fit.parameters.begin(), fit.parameters.end(), [&](const ParameterResult& r) { return r.name == p.name; });
-    row->posterior = {p.median, p.lower, p.upper, p.contraction, to_string(p.verdict), p.partner, p.correlation};
-  }
+  for (const ParameterInterval& p : found.parameters)
+    parameter(fit, p.name).posterior = {p.median, p.lower, p.upper, p.contraction, to_string(p.verdict), p.partner, p.correlation};
   PosteriorFacts& facts = fit.posterior;
   for (const Point& x : found.posterior.sample) {
     const auto values = search.space().parameters(x);
@@ -70,11 +73,18 @@ void add_likelihood(ModelFit& fit, const ModelSearch& search, const Rng& rng) {
   const auto found = maximum_likelihood(space, search.objective().ensemble().conditions(), search.selected().x, rng);
   if (!found) return;
   fit.likelihood = {found->log_likelihood, found->error};
-  for (const MostLikely& one : found->parameters) {
-    const std::string& name = space.model().spec->parameters[one.row].name;
-    const auto row = std::find_if(fit.parameters.begin(), fit.parameters.end(), [&](const ParameterResult& r) { return r.name == name; });
-    row->likelihood = {one.value, one.lower, one.upper};
-  }
+  for (const MostLikely& one : found->parameters)
+    parameter(fit, space.model().spec->parameters[one.row].name).likelihood = {one.value, one.lower, one.upper};
+}
+
+// And by regression of accelerations.
+void add_regression(ModelFit& fit, const ModelSearch& search) {
+  const SearchSpace& space = search.space();
+  const auto found = acceleration_fit(space, search.objective().ensemble().conditions());
+  if (!found) return;
+  fit.regression = {found->rows, found->memory};
+  for (const RegressedParameter& one : found->parameters)
+    parameter(fit, space.model().spec->parameters[one.row].name).regression = {one.value, one.lower, one.upper};
 }
 
 }  // namespace
@@ -100,6 +110,7 @@ ModelFit model_fit_of(const ModelSearch& search, const Estimates& wanted, const 
   fit.runs.map = model.spec->is_map(model.options);
   fit.runs.steps_settled = fit.runs.map || far_off(best.outcome, target) || same_energies(best.outcome, halved, target);
   if (wanted.likelihood) add_likelihood(fit, search, root.derive(Stream::probe, search.index()));
+  if (wanted.regression) add_regression(fit, search);
   if (wanted.posterior) add_posterior(fit, search, root.derive(Stream::posterior, search.index()));
   return fit;
 }

@@ -10,6 +10,7 @@ namespace swarmfit {
 // What is estimated beside the best parameters.
 struct Estimates {
   bool likelihood = false;  // of models that have one (fit/model_fit/likelihood.h)
+  bool regression = false;  // of models that have forces (fit/model_fit/regression.h)
   bool posterior = false;   // where anything was searched (fit/model_fit/parameter_posterior.h)
 };
 

@@ -25,8 +25,8 @@ struct ParameterUncertainty {
   double correlation = kNaN;
 };
 
-// Its value of maximum likelihood and 95 % interval (fit/model_fit/likelihood.h), in physical units; NaN: not known.
-struct ParameterLikelihood {
+// Its value by another way than the search, and 95 % interval, in physical units; NaN: not known.
+struct SecondOpinion {
   double value = kNaN, lower = kNaN, upper = kNaN;
 };
 
@@ -37,8 +37,9 @@ struct ParameterResult {
   bool at_bound = false;   // within 1 % of the searched interval from a bound
   std::string at_lower{};  // of the lower one, what that means, if anything
   ParameterUncertainty posterior{};
-  bool interaction = false;  // of neighbours: used only with the model's interaction, or a length in neighbour distances
-  ParameterLikelihood likelihood{};
+  bool interaction = false;    // of neighbours: used only with the model's interaction, or a length in neighbour distances
+  SecondOpinion likelihood{};  // of maximum likelihood (fit/model_fit/likelihood.h)
+  SecondOpinion regression{};  // by regression of accelerations (fit/model_fit/regression.h)
   double halves_lower = kNaN, halves_upper = kNaN;  // smallest and largest value of the fits to halves (fit/compare/hold_out.h)
 };
 
@@ -54,6 +55,12 @@ struct PosteriorFacts {
 struct LikelihoodFacts {
   double log_likelihood = kNaN;
   double error = kNaN;  // localisation error that it asks for, in the mean over the axes [unit]
+};
+
+// Of a regression of accelerations.
+struct RegressionFacts {
+  Index rows = 0;     // accelerations that were used; 0: not asked for, or the model has no forces, or it did not converge
+  double memory = 0;  // of the noise [s]; 0: none was found
 };
 
 // One point of a convergence curve.
@@ -172,6 +179,7 @@ struct ModelFit {
   bool learns = false;                         // takes its motion from the recording, as fastswarm does
   PosteriorFacts posterior{};
   LikelihoodFacts likelihood{};
+  RegressionFacts regression{};
   SearchFacts search;
   FinalRuns runs;
   Standing standing;

@@ -297,7 +297,8 @@ ModelSpec brownian_spec() {
                        {"repulsion between agents", "repulsion and attraction between agents (Morse)", "no forces between agents"}}},
           .columns = {"energy"},
           .parameters = parameter_table(),
-          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Brownian>(setup); }};
+          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Brownian>(setup); },
+          .force = ForceLike{.silent = {kD}}};
 }
 
 }  // namespace swarmfit

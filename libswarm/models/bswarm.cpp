@@ -51,6 +51,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "libswarm/avoider.h"
 #include "libswarm/linear_noise.h"
@@ -193,8 +194,8 @@ const std::vector<Parameter>& parameter_table() {
 }
 
 struct Buffers : Workspace {
-  Buffers(const Rng& rng, int dims, Infeasible infeasible) : field(rng), avoider(dims, infeasible) {}
-  NoiseField field;
+  Buffers(int dims, Infeasible infeasible) : avoider(dims, infeasible) {}
+  std::optional<NoiseField> field;  // of the noises that have one
   GaussianNoise gaussian, area, third;
   std::array<double, 3> of{};  // step, tau and strength of the memory
   LinearNoise<3> memory;       // of (what the force adds to the place, to the velocity, the force)
@@ -218,7 +219,9 @@ class Bswarm : public Model {
 
   Index columns() const override { return kColumns; }
   std::unique_ptr<Workspace> workspace(const World&, const Rng& rng) const override {
-    return std::make_unique<Buffers>(rng, dims_, infeasible_);
+    auto buffers = std::make_unique<Buffers>(dims_, infeasible_);
+    if (noise_ == Noise::curl || noise_ == Noise::perlin) buffers->field.emplace(rng);
+    return buffers;
   }
 
   // The force of memory is drawn from its stationary law.
@@ -310,7 +313,7 @@ class Bswarm : public Model {
       case Noise::perlin:
         break;
     }
-    const NoiseField& field = static_cast<const Buffers*>(c.work)->field;
+    const NoiseField& field = *static_cast<const Buffers*>(c.work)->field;
     Array3d x = now.pos.row(i).transpose() / c.p[kScale];
     if (per_agent_offset_) x += offset_of(c.rng, id);
     if (noise_ == Noise::perlin) return flat(c.p[kNoise] / kRmsPotential * field.potential(x));
@@ -452,7 +455,11 @@ ModelSpec bswarm_spec() {
           .options = option_table(),
           .columns = {"stimulus", "theta", "eta_x", "eta_y", "eta_z"},
           .parameters = parameter_table(),
-          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Bswarm>(setup); }};
+          .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Bswarm>(setup); },
+          .force = ForceLike{.when = "noise=white|gaussian|ou|none",  // a field is a force of the place itself
+                             .options = {{"noise", "none"}, {"avoidance", "none"}},
+                             .jumps = {kRRep, kRAtt, kRAli},
+                             .memory = "noise=ou"}};
 }
 
 }  // namespace swarmfit

@@ -14,7 +14,8 @@
 //
 // With a = 1 / tau_eta, g = 1 / tau_v, s = sigma_eta² / (k + a g + a²), every component has the stationary moments
 //   <v²> = s a / g     <x²> = s (a / g + 1) / k     <v eta> = s a     <x eta> = s     <x v> = 0          (x = r - r_c)
-// Agents enter with an eta drawn from the stationary law given their place and velocity, so that a swarm that starts stationary stays so.
+// Agents enter with an eta drawn from the stationary law given their place and velocity, so that a swarm that starts stationary stays so;
+// without noise, where nothing moves in that law, with none.
 //
 // All of it is linear, so a step of any length is exact: (x, v, eta) of every component is multiplied by a matrix, and gets a normal error
 // of known covariance (libswarm/linear_noise.h).
@@ -49,6 +50,7 @@ struct Entering {
 };
 
 Entering entering(std::span<const double> p) {
+  if (p[kSigma] == 0) return {0, 0, 0};
   const double a = 1 / p[kTauEta], g = 1 / p[kTauV], k = p[kK];
   const double on_v = g, on_x = k * g / (a + g);
   const double explained = (on_v * a + on_x) / (k + a * g + a * a);  // of the variance of eta
@@ -147,7 +149,8 @@ ModelSpec langevin_spec() {
           .columns = {"eta_x", "eta_y", "eta_z"},
           .parameters = parameter_table(),
           .make = [](const Setup& setup) -> std::unique_ptr<Model> { return std::make_unique<Langevin>(setup); },
-          .linear = [](const Options&, std::span<const double> p) -> std::optional<LinearMotion> { return motion_of(p); }};
+          .linear = [](const Options&, std::span<const double> p) -> std::optional<LinearMotion> { return motion_of(p); },
+          .force = ForceLike{.silent = {kSigma}, .memory = "always"}};
 }
 
 }  // namespace swarmfit

@@ -45,7 +45,9 @@ Html parameter_table(const ModelFit& r) {
                 column("searched from", true), column("to", true), column("place between bounds")};
   if (halves) head.push_back(column("fits to halves", true));
   const bool likely = std::isfinite(r.likelihood.log_likelihood);
+  const bool regressed = r.regression.rows > 0;
   if (likely) head.push_back(column("maximum likelihood, 95 %", true));
+  if (regressed) head.push_back(column("regression, 95 %", true));
   if (posterior) head.insert(head.end(), {column("95 %", true), column("verdict"), column("correlated with")});
   head.push_back(column("meaning"));
   table.head(head);
@@ -62,7 +64,8 @@ Html parameter_table(const ModelFit& r) {
                    number_cell(p.fitted ? rounded(p.upper) : ""),
                    {.content = where}};
     if (halves) cells.push_back(number_cell(p.fitted ? halves_text(p) : ""));
-    if (likely) cells.push_back(number_cell(p.fitted ? likelihood_text(p) : ""));
+    if (likely) cells.push_back(number_cell(p.fitted ? opinion_text(p.likelihood) : ""));
+    if (regressed) cells.push_back(number_cell(p.fitted ? opinion_text(p.regression) : ""));
     if (posterior)
       cells.insert(cells.end(), {number_cell(p.fitted ? interval_text(p.posterior) : ""), text_cell(verdict_text(p)),
                                  text_cell(partner_text(p.posterior))});

@@ -99,6 +99,7 @@ Json parameters(const std::vector<ParameterResult>& table) {
            {"at_bound", p.at_bound}, {"log", p.log},   {"symbol", p.symbol}, {"meaning", p.meaning}, {"interaction", p.interaction}};
     if (std::isfinite(p.halves_lower)) one["halves"] = {p.halves_lower, p.halves_upper};
     if (std::isfinite(p.likelihood.value)) one["likelihood"] = {p.likelihood.value, p.likelihood.lower, p.likelihood.upper};
+    if (std::isfinite(p.regression.value)) one["regression"] = {p.regression.value, p.regression.lower, p.regression.upper};
     if (u.verdict.empty()) continue;
     one["ci"] = {u.lower, u.upper};
     one["median"] = u.median;
@@ -177,6 +178,7 @@ Json model(const Comparison& c, const ModelFit& r) {
   out["convergence"] = convergence(r.search.convergence);
   if (std::isfinite(r.likelihood.log_likelihood))
     out["likelihood"] = {{"log_likelihood", r.likelihood.log_likelihood}, {"measurement_error", r.likelihood.error}};
+  if (r.regression.rows > 0) out["regression"] = {{"accelerations", r.regression.rows}, {"memory", r.regression.memory}};
   if (r.posterior.simulations > 0) out["posterior"] = posterior(r.posterior);
   return out;
 }

@@ -165,10 +165,13 @@ std::string parameters_text(const Comparison& c, TextStyle style) {
   for (const ModelFit& r : c.models)
     if (const std::string values = fitted_values(r); !values.empty() && r.posterior.simulations == 0)
       fits.push_back(r.model + ": " + values);
-  std::vector<std::string> likely;
-  for (const ModelFit& r : c.models)
+  std::vector<std::string> likely, regressed;
+  for (const ModelFit& r : c.models) {
     if (const std::string values = most_likely_values(r); !values.empty()) likely.push_back(r.model + ": " + values);
+    if (const std::string values = regressed_values(r); !values.empty()) regressed.push_back(r.model + ": " + values);
+  }
   return bullets("Maximum likelihood, 95 % intervals in brackets", likely, Paint::bold, style) +
+         bullets("Regression of accelerations, 95 % intervals in brackets", regressed, Paint::bold, style) +
          bullets(c.recording.hold_out.used() ? "Fitted parameters (in brackets: range of the fits to halves)" : "Fitted parameters", fits,
                  Paint::bold, style);
 }

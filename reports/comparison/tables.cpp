@@ -178,6 +178,9 @@ std::string parameters(const Comparison& c) {
                          "likelihood",
                          "likelihood_lower",
                          "likelihood_upper",
+                         "regression",
+                         "regression_lower",
+                         "regression_upper",
                          "median",
                          "ci_lower",
                          "ci_upper",
@@ -190,7 +193,7 @@ std::string parameters(const Comparison& c) {
     for (const ParameterResult& p : r.parameters) {
       csv.field(r.model).field(p.name).field(p.value).field(p.unit).field(p.lower).field(p.upper);
       csv.field(p.fitted ? "true" : "false").field(p.at_bound ? "true" : "false").field(p.halves_lower).field(p.halves_upper);
-      csv.field(p.likelihood.value).field(p.likelihood.lower).field(p.likelihood.upper);
+      for (const SecondOpinion& o : {p.likelihood, p.regression}) csv.field(o.value).field(o.lower).field(o.upper);
       const ParameterUncertainty& u = p.posterior;
       csv.field(u.median).field(u.lower).field(u.upper).field(u.contraction).field(u.verdict).field(u.partner).field(u.correlation);
       csv.field(p.meaning).end();

@@ -7,58 +7,15 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
+
+#include "tests/fit/other_simulators.h"
 
 namespace swarmfit {
 namespace {
 
-struct Truth {
-  double tau_v, k, tau_eta, sigma_eta;
-};
-
-LinearMotion langevin(const Truth& t) {
+LinearMotion langevin(const LangevinTruth& t) {
   const ModelChoice model = parse_model("langevin");
   return *model.spec->linear(model.options, std::array{t.tau_v, t.k, t.tau_eta, t.sigma_eta});
-}
-
-// Langevin motion by small Euler steps and the standard library's normal numbers: nothing of our simulators is in it.
-Tracks recorded(const Truth& t, int agents, int frames, double dt, double error, unsigned seed, int every = 1) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  constexpr int fine = 50, settling = 400;
-  const double h = dt / fine;
-  TrackColumns c;
-  std::vector<std::array<double, 2>> places;
-  for (int a = 0; a < agents; ++a) c.names.push_back(std::to_string(a));
-  std::vector<std::vector<std::array<double, 2>>> seen(static_cast<std::size_t>(agents));
-  for (auto& path : seen)
-    for (int axis = 0; axis < 2; ++axis) {
-      double x = normal(random), v = normal(random), eta = t.sigma_eta * normal(random);
-      path.resize(static_cast<std::size_t>(frames));
-      for (int f = -settling; f < frames; ++f) {
-        if (f >= 0) path[static_cast<std::size_t>(f)][static_cast<std::size_t>(axis)] = x + error * normal(random);
-        for (int s = 0; s < fine; ++s) {
-          const double dv = (-v / t.tau_v - t.k * x + eta) * h;
-          eta += -eta / t.tau_eta * h + t.sigma_eta * std::sqrt(2 * h / t.tau_eta) * normal(random);
-          x += v * h + dv * h / 2;
-          v += dv;
-        }
-      }
-    }
-  for (int f = 0; f < frames; ++f)
-    for (int a = 0; a < agents; ++a) {
-      if (every > 1 && (f + a) % every == 1) continue;  // a gap
-      c.track.push_back(static_cast<std::uint32_t>(a));
-      c.frame.push_back(f);
-      places.push_back(seen[static_cast<std::size_t>(a)][static_cast<std::size_t>(f)]);
-    }
-  c.pos = Rows::Zero(static_cast<Index>(places.size()), 3);
-  for (std::size_t r = 0; r < places.size(); ++r)
-    for (int axis = 0; axis < 2; ++axis) c.pos(static_cast<Index>(r), axis) = places[r][static_cast<std::size_t>(axis)];
-  TrackMeta meta;
-  meta.dt = dt;
-  meta.dims = 2;
-  return {std::move(c), meta};
 }
 
 // Log-density of the whole vector of positions at once, from its dense covariance.
@@ -70,8 +27,8 @@ double dense_log_density(const Eigen::VectorXd& z, const Eigen::VectorXd& mean, 
 }
 
 TEST(Likelihood, IsTheDensityOfAllPositionsTogether) {
-  const Truth t{0.6, 4, 0.1, 5};
-  const Tracks tracks = recorded(t, 1, 12, 0.02, 0.01, 3, 5);
+  const LangevinTruth t{0.6, 4, 0.1, 5};
+  const Tracks tracks = langevin_recording(t, 1, 12, 0.02, 0.01, 3, 5);
   const LinearMotion m = langevin(t);
   const double sd = 0.02, speed = natural_scales(tracks).speed * 1e3;
   double expected = 0;
@@ -122,12 +79,12 @@ TEST(Likelihood, IsTheDensityOfAllPositionsTogether) {
 
 // 95 % intervals of 4 parameters in 10 recordings: of 40 such intervals at least 34 hold the truth with a probability of more than 99 %.
 TEST(Likelihood, FindsWhatMadeARecordingOfOthers) {
-  const Truth t{0.6, 4, 0.1, 5};
+  const LangevinTruth t{0.6, 4, 0.1, 5};
   const std::array truth{t.tau_v, t.k, t.tau_eta, t.sigma_eta};
   int held = 0;
   std::array<double, 4> off{};
   for (unsigned seed = 1; seed <= 10; ++seed) {
-    const Tracks tracks = recorded(t, 10, 250, 0.02, 0.005, seed, 9);
+    const Tracks tracks = langevin_recording(t, 10, 250, 0.02, 0.005, seed, 9);
     const Conditions conditions = make_conditions(tracks, {});
     const SearchSpace space(parse_model("langevin"), conditions.scales, {});
     const auto found = maximum_likelihood(space, conditions, space.start(), Rng{seed});
@@ -144,7 +101,7 @@ TEST(Likelihood, FindsWhatMadeARecordingOfOthers) {
 }
 
 TEST(Likelihood, OnlyOfModelsThatHaveOne) {
-  const Tracks tracks = recorded({0.6, 4, 0.1, 5}, 3, 60, 0.02, 0, 1);
+  const Tracks tracks = langevin_recording({0.6, 4, 0.1, 5}, 3, 60, 0.02, 0, 1);
   const Conditions conditions = make_conditions(tracks, {});
   const SearchSpace space(parse_model("boids"), conditions.scales, {});
   EXPECT_FALSE(maximum_likelihood(space, conditions, space.start(), Rng{1}));

@@ -4,10 +4,12 @@
 
     python3 table.py PROGRAM [--truths brownian,boids] [--seeds 1:10] [--budget quick] [--jobs 2] [--make '--steps 40'] [--out DIR]
     python3 table.py PROGRAM --intervals ...
+    python3 table.py PROGRAM --regression ...
 
 A row says in how many recordings the true model is in the best group, alone there, and rejected (fit p <= .05), and the median of
 |fitted / true - 1| of every parameter. With --intervals the true model alone is fitted, with its posterior, and the row says of every
-parameter how often it is called identified, and how often its 95 % interval holds the truth. DIR keeps the recordings and results; what
+parameter how often it is called identified, and how often its 95 % interval holds the truth. With --regression its parameters come from regression
+of accelerations, and the row says the median of |value / true - 1|, and how many of the 95 % intervals hold the truth. DIR keeps the recordings and results; what
 is in it is not computed again.
 """
 import argparse
@@ -67,6 +69,9 @@ def one(a, name, seed):
     own = [truth["model"]] if truth["model"] else []
     if a.intervals:
         return truth, compare(a.program, recording, own, directory / "intervals", a.budget, seed, "--posterior " + a.options)
+    if a.regression:
+        searched_hardly = "--regression --max-evaluations 1 --holdout no "
+        return truth, compare(a.program, recording, own, directory / "regression", a.budget, seed, searched_hardly + a.options)
     return truth, compare(a.program, recording, own + RIVALS[name], directory / "run", a.budget, seed, a.options)
 
 
@@ -122,6 +127,22 @@ def print_intervals(name, cases):
     print(f"| {name} | {len(cases)} | {'; '.join(cells)} | {off} of {sum(i for seen in searched.values() for i, _ in seen)} |", flush=True)
 
 
+def print_regression(name, cases):
+    """Of every parameter: how far off in the median, and how many intervals hold the truth, of those that there are."""
+    seen = {}
+    for truth, results in cases:
+        for parameter, found in entry_of(results, truth["model"])["parameters"].items():
+            if "regression" in found and parameter in truth["parameters"]:
+                seen.setdefault(parameter, []).append((truth["parameters"][parameter], *found["regression"]))
+    cells = [] if seen else ["its noise is not simple"]
+    for parameter, values in seen.items():
+        off = f" {100 * statistics.median(abs(v / t - 1) for t, v, *_ in values):.2g} %" if values[0][0] else ""
+        ends = [(low <= t <= high) for t, _, low, high in values if low is not None]
+        cells.append(f"{parameter}{off}" + (f", {sum(ends)} of {len(ends)}" if ends else ""))
+    solved = sum("regression" in entry_of(results, truth["model"]) for truth, results in cases)
+    print(f"| {name} | {solved} of {len(cases)} | {'; '.join(cells)} |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
@@ -132,10 +153,13 @@ def main():
     parser.add_argument("--make", default="", help="further options of truths.py")
     parser.add_argument("--options", default="", help="further options of the program")
     parser.add_argument("--intervals", action="store_true", help="of fits of the true model: do they hold the truth?")
+    parser.add_argument("--regression", action="store_true", help="of the true model's accelerations: are its parameters found?")
     parser.add_argument("--out", default="independent")
     a = parser.parse_args()
     first, last = (int(s) for s in a.seeds.split(":"))
-    if a.intervals:
+    if a.regression:
+        print("| truth | solved | parameters: median error, intervals that hold the truth |\n|---|---|---|", flush=True)
+    elif a.intervals:
         print("| truth | recordings | identified, interval holds the truth | identified and off |\n|---|---|---|---|", flush=True)
     else:
         print("| truth | recordings | in the best group | alone | rejected | steps per frame | median error of fitted parameters |")
@@ -144,7 +168,7 @@ def main():
         for name in a.truths.split(","):
             runs = [pool.submit(one, a, name, seed) for seed in range(first, last + 1)]
             cases = [run.result() for run in runs]
-            (print_intervals if a.intervals else print_row)(name, cases)
+            (print_regression if a.regression else print_intervals if a.intervals else print_row)(name, cases)
 
 
 if __name__ == "__main__":

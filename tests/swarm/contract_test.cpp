@@ -203,6 +203,27 @@ TEST_P(EveryModel, SameBitsForAnyNumberOfThreads) {
   expect_near(one, with(2, true), 1e-300);
 }
 
+// What regression of accelerations rests on (ModelSpec::force): the velocity changes by a force, however short the step.
+TEST_P(EveryModel, ForcesDoNotDependOnTheStep) {
+  ModelChoice choice = parse_model(GetParam());
+  if (!choice.spec->has_force(choice.options)) return;
+  for (const auto& [name, value] : choice.spec->force->options) choice.options[name] = value;
+  std::string setting = choice.spec->name + "[";
+  for (const auto& [name, value] : choice.options) setting += name + "=" + value + ",";
+  setting.back() = ']';
+  const Made made = make(choice.options.empty() ? choice.spec->name : setting);
+  const auto acceleration = [&](double step) {
+    Lane lane = busy(made, 40, 3);
+    for (const std::size_t row : choice.spec->force->silent) lane.p[row] = 0;
+    const Rows before = lane.state.vel;
+    run(made, {.frame_dt = step, .first_frame = 1, .frames = 2}, lane);
+    return Rows((lane.state.vel - before) / step);
+  };
+  const Rows whole = acceleration(1e-5), half = acceleration(5e-6);
+  EXPECT_GT(whole.abs().maxCoeff(), 0.1);
+  EXPECT_LT((whole - half).abs().maxCoeff(), 1e-3 * whole.abs().maxCoeff());
+}
+
 // Agents keep their ids but stand in other rows: only the order of sums may change.
 TEST_P(EveryModel, RowOrderDoesNotMatter) {
   const Made made = make(GetParam());

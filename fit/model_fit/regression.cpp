@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "fit/model_fit/regression.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "libswarm/instrumental_regression.h"
+#include "libswarm/simulate.h"
+#include "libtrack/distributions.h"
+#include "libtrack/nan.h"
+
+namespace swarmfit {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kMoment = 1e-5;      // frames: a step so short that only the force is seen
+constexpr double kNudge = 1e-4;       // of a coordinate's range, for derivatives
+constexpr double kLongestStep = 0.5;  // of the range
+constexpr double kStill = 1e-4;       // of the range
+constexpr int kSteps = 40;
+constexpr Index kRowsPerParameter = 4;
+constexpr int kGrid = 10, kRounds = 3;  // of a profile: values per radius, and how often it is made finer
+
+// The acceleration of everybody at the places and velocities that were recorded.
+class Forces {
+ public:
+  Forces(const ModelChoice& model, const Conditions& conditions, const SymmetricDifferences& seen) : rows_(seen.rows().size()) {
+    const Tracks& recording = conditions.recording;
+    world_.dims = recording.dims();
+    world_.bounds = conditions.world.bounds;
+    plan_.frame_dt = kMoment * recording.dt();
+    plan_.first_frame = 1;  // in frame 0 a large group would be put in order
+    plan_.frames = 2;
+    model_ = make_model(model, {.dims = recording.dims(),
+                                .scales = conditions.scales,
+                                .reference = conditions.reference ? conditions.reference.get() : &recording,
+                                .step = plan_.frame_dt,
+                                .kinds = recording.kinds()});
+    std::vector<Index> equation(static_cast<std::size_t>(recording.rows()), -1);
+    for (std::size_t u = 0; u < rows_; ++u) equation[static_cast<std::size_t>(seen.rows()[u])] = static_cast<Index>(u);
+    for (const FrameRange& frame : recording.frames()) add(frame, seen, equation);
+  }
+
+  // Per axis; not finite where the model is not.
+  std::array<VectorXd, 3> at(const std::vector<double>& parameters) const {
+    std::array<VectorXd, 3> out;
+    for (auto& axis : out) axis = VectorXd::Zero(static_cast<Index>(rows_));
+    for (const Moment& moment : moments_) {
+      Lane lane{.p = parameters, .rng = {}, .state = moment.state, .world = world_, .out = nullptr, .count = {}};
+      cpu_backend().run(*model_, plan_, {&lane, 1});
+      for (std::size_t i = 0; i < moment.equation.size(); ++i) {
+        if (moment.equation[i] < 0) continue;
+        const auto row = static_cast<Index>(i);
+        for (Index axis = 0; axis < 3; ++axis)
+          out[static_cast<std::size_t>(axis)][moment.equation[i]] =
+              lane.blew_up ? kNaN : (lane.state.vel(row, axis) - moment.state.vel(row, axis)) / plan_.frame_dt;
+      }
+    }
+    return out;
+  }
+
+ private:
+  struct Moment {
+    State state;
+    std::vector<Index> equation;  // of every agent; -1: it has none
+  };
+
+  void add(const FrameRange& frame, const SymmetricDifferences& seen, const std::vector<Index>& equation) {
+    Moment moment;
+    moment.equation.assign(equation.begin() + frame.first, equation.begin() + frame.first + frame.count);
+    if (std::all_of(moment.equation.begin(), moment.equation.end(), [](Index u) { return u < 0; })) return;
+    moment.state.append(frame.count);
+    for (Index i = 0; i < frame.count; ++i) {
+      const Index row = frame.first + i;
+      moment.state.pos.row(i) = seen.x(row).transpose();
+      moment.state.vel.row(i) = seen.v(row).transpose();
+      moment.state.kind[static_cast<std::size_t>(i)] = seen.tracks().kind(row);
+    }
+    moments_.push_back(std::move(moment));
+  }
+
+  std::size_t rows_;
+  std::unique_ptr<Model> model_;
+  World world_;
+  Plan plan_;
+  std::vector<Moment> moments_;
+};
+
+// A searched parameter on the axis on which steps are taken: the value itself, or its logarithm; the range is 1.
+struct Coordinate {
+  std::size_t row;
+  double lower, upper;
+  bool log;
+
+  double value(double u) const { return log ? lower * std::pow(upper / lower, u) : lower + u * (upper - lower); }
+  double of(double value) const { return log ? std::log(value / lower) / std::log(upper / lower) : (value - lower) / (upper - lower); }
+};
+
+struct Solution {
+  std::vector<double> parameters;
+  VectorXd u;
+  InstrumentalRegression last;
+  bool settled;
+};
+
+class Matching {
+ public:
+  Matching(const SearchSpace& space, const Conditions& conditions)
+      : seen_(conditions.recording),
+        force_(without_noise(space.model()), conditions, seen_),
+        start_(space.parameters(space.start())),
+        remembers_(space.model().spec->remembers(space.model().options)) {
+    const ForceLike& like = *space.model().spec->force;
+    const Options options = without_noise(space.model()).options;
+    for (const std::size_t row : like.silent) start_[row] = 0;
+    const auto table = space.describe(space.start(), "");
+    for (const std::size_t row : space.searched()) {
+      const bool silent = std::count(like.silent.begin(), like.silent.end(), row) > 0;
+      if (silent || !space.model().spec->uses(row, options)) continue;
+      const std::string& name = space.model().spec->parameters[row].name;
+      const auto of = std::find_if(table.begin(), table.end(), [&](const ParameterResult& p) { return p.name == name; });
+      const Coordinate coordinate{row, of->lower, of->upper, of->log && of->lower > 0};
+      (std::count(like.jumps.begin(), like.jumps.end(), row) > 0 ? jumps_ : smooth_).push_back(coordinate);
+    }
+  }
+
+  std::optional<AccelerationFit> fit() const {
+    if (smooth_.empty()) return {};
+    const std::vector<double> from = jumps_.empty() ? start_ : profiled();
+    const auto found = solve(from, {}, kSteps);
+    if (!found || !found->settled || found->last.rows() < kRowsPerParameter * coefficients()) return {};
+    return reported(*found);
+  }
+
+ private:
+  static ModelChoice without_noise(ModelChoice model) {
+    for (const auto& [name, value] : model.spec->force->options) model.options[name] = value;
+    return model;
+  }
+
+  Index coefficients() const { return static_cast<Index>(smooth_.size()); }
+
+  std::vector<double> at(std::vector<double> parameters, const VectorXd& u) const {
+    for (std::size_t k = 0; k < smooth_.size(); ++k) parameters[smooth_[k].row] = smooth_[k].value(u[static_cast<Index>(k)]);
+    return parameters;
+  }
+
+  // What the force leaves to explain, and its derivatives; none where it is not finite.
+  std::optional<RegressionDesign> linearised(const std::vector<double>& base, const VectorXd& u) const {
+    RegressionDesign out(seen_, coefficients());
+    const auto here = force_.at(at(base, u));
+    for (std::size_t axis = 0; axis < 3; ++axis) out.acceleration[axis] -= here[axis];
+    for (Index k = 0; k < coefficients(); ++k) {
+      VectorXd there = u;
+      there[k] += u[k] > 0.5 ? -kNudge : kNudge;
+      const auto moved = force_.at(at(base, there));
+      for (std::size_t axis = 0; axis < static_cast<std::size_t>(out.dims); ++axis)
+        out.terms[axis].col(k) = (moved[axis] - here[axis]) / (there[k] - u[k]);
+    }
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(out.dims); ++axis)
+      if (!out.acceleration[axis].allFinite() || !out.terms[axis].allFinite()) return {};
+    return out;
+  }
+
+  // Gauss-Newton steps from there. Noise that remembers does so as it is told or, without that, as is found.
+  std::optional<Solution> solve(const std::vector<double>& base, const std::optional<NoiseMemory>& memory, int steps) const {
+    std::vector<Index> all(smooth_.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    VectorXd u(coefficients());
+    for (std::size_t k = 0; k < smooth_.size(); ++k) u[static_cast<Index>(k)] = std::clamp(smooth_[k].of(base[smooth_[k].row]), 0.0, 1.0);
+    for (int step = 1;; ++step) {
+      auto design = linearised(base, u);
+      if (!design) return {};
+      InstrumentalRegression regression(std::move(*design));
+      if (remembers_ && !memory) {
+        regression.fit(all);
+      } else {
+        regression.use(memory.value_or(NoiseMemory{}));
+        regression.refit(all);
+      }
+      VectorXd by = regression.coefficients();
+      if (!by.allFinite()) return {};
+      by *= std::min(1.0, kLongestStep / std::max(by.cwiseAbs().maxCoeff(), 1e-300));
+      const VectorXd next = (u + by).cwiseMax(0).cwiseMin(1);
+      const double moved = (next - u).cwiseAbs().maxCoeff();
+      if (step == steps || moved < kStill) return Solution{at(base, u), u, std::move(regression), moved < kStill};
+      u = next;
+    }
+  }
+
+  // Radii at which forces jump have no derivatives: every combination of a few values, then finer about the best. The noise keeps the
+  // memory that goes with the defaults.
+  std::vector<double> profiled() const {
+    const auto first = solve(start_, {}, 2);
+    const NoiseMemory memory = first ? first->last.memory() : NoiseMemory{};
+    std::vector<double> best = start_, centre(jumps_.size(), 0.5);
+    double least = INFINITY, width = 1;
+    for (int round = 0; round < kRounds; ++round, width *= 2.0 / kGrid) {
+      const std::vector<double> about = centre;
+      std::size_t points = 1;
+      for (std::size_t k = 0; k < jumps_.size(); ++k) points *= kGrid;
+      for (std::size_t point = 0; point < points; ++point) {
+        std::vector<double> tried = best, place(jumps_.size());
+        std::size_t rest = point;
+        for (std::size_t k = 0; k < jumps_.size(); ++k, rest /= kGrid) {
+          place[k] = std::clamp(about[k] + width * ((static_cast<double>(rest % kGrid) + 0.5) / kGrid - 0.5), 0.0, 1.0);
+          tried[jumps_[k].row] = jumps_[k].value(place[k]);
+        }
+        const auto found = solve(tried, memory, 2);
+        if (!found || !(found->last.unexplained() < least)) continue;
+        least = found->last.unexplained();
+        best = found->parameters;
+        centre = place;
+      }
+    }
+    return best;
+  }
+
+  AccelerationFit reported(const Solution& found) const {
+    AccelerationFit out;
+    out.rows = found.last.rows();
+    if (const double rho = found.last.memory().rho; rho > 0) out.memory = -seen_.tracks().dt() / std::log(rho);
+    for (Index k = 0; k < coefficients(); ++k) {
+      const Coordinate& c = smooth_[static_cast<std::size_t>(k)];
+      const double variance = found.last.covariance()(k, k), se = std::sqrt(variance), u = found.u[k];
+      if (std::isnan(variance)) continue;  // the force does not depend on it
+      const bool inside = u > 0 && u < 1 && variance > 0;
+      out.parameters.push_back(
+          {c.row, c.value(u), inside ? c.value(u - kNormal95 * se) : kNaN, inside ? c.value(u + kNormal95 * se) : kNaN});
+    }
+    for (const Coordinate& c : jumps_) out.parameters.push_back({c.row, found.parameters[c.row], kNaN, kNaN});
+    std::sort(out.parameters.begin(), out.parameters.end(), [](const auto& a, const auto& b) { return a.row < b.row; });
+    return out;
+  }
+
+  SymmetricDifferences seen_;
+  Forces force_;
+  std::vector<double> start_;
+  bool remembers_;  // the noise
+  std::vector<Coordinate> smooth_, jumps_;
+};
+
+}  // namespace
+
+std::optional<AccelerationFit> acceleration_fit(const SearchSpace& space, const Conditions& conditions) {
+  if (!space.model().spec->has_force(space.model().options) || space.dimensions() == 0) return {};
+  return Matching(space, conditions).fit();
+}
+
+}  // namespace swarmfit
