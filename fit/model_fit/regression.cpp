@@ -22,6 +22,7 @@ constexpr double kLongestStep = 0.5;  // of the range
 constexpr double kStill = 1e-4;       // of the range
 constexpr int kSteps = 40;
 constexpr Index kRowsPerParameter = 4;
+constexpr int kBlocks = 10;             // of time, left out one by one
 constexpr int kGrid = 10, kRounds = 3;  // of a profile: values per radius, and how often it is made finer
 
 // The acceleration of everybody at the places and velocities that were recorded.
@@ -132,7 +133,7 @@ class Matching {
     const std::vector<double> from = jumps_.empty() ? start_ : profiled();
     const auto found = solve(from, {}, kSteps);
     if (!found || !found->settled || found->last.rows() < kRowsPerParameter * coefficients()) return {};
-    return reported(*found);
+    return reported(*found, remembers_ ? jackknife(*found) : half_widths(*found));
   }
 
  private:
@@ -146,6 +147,23 @@ class Matching {
   std::vector<double> at(std::vector<double> parameters, const VectorXd& u) const {
     for (std::size_t k = 0; k < smooth_.size(); ++k) parameters[smooth_[k].row] = smooth_[k].value(u[static_cast<Index>(k)]);
     return parameters;
+  }
+
+  std::vector<SymmetricDifferences::Run> without_block(int block) const {
+    const auto frames = seen_.tracks().frames();
+    const std::int64_t first = frames.front().number, span = frames.back().number - first + 1;
+    std::vector<SymmetricDifferences::Run> out;
+    for (const auto& run : seen_.runs()) {
+      bool goes_on = false;
+      for (Index u = run.first; u < run.first + run.count; ++u) {
+        const std::int64_t frame = seen_.frame_of(seen_.rows()[static_cast<std::size_t>(u)]).number;
+        const bool in = (frame - first) * kBlocks / span != block;
+        if (in && !goes_on) out.push_back({u, 0});
+        if (in) ++out.back().count;
+        goes_on = in;
+      }
+    }
+    return out;
   }
 
   // What the force leaves to explain, and its derivatives; none where it is not finite.
@@ -165,8 +183,10 @@ class Matching {
     return out;
   }
 
-  // Gauss-Newton steps from there. Noise that remembers does so as it is told or, without that, as is found.
-  std::optional<Solution> solve(const std::vector<double>& base, const std::optional<NoiseMemory>& memory, int steps) const {
+  // Gauss-Newton steps from there, on all frames or without a block of them. Noise that remembers does so as it is told or, without that,
+  // as is found.
+  std::optional<Solution> solve(const std::vector<double>& base, const std::optional<NoiseMemory>& memory, int steps,
+                                std::optional<int> block = {}) const {
     std::vector<Index> all(smooth_.size());
     std::iota(all.begin(), all.end(), Index{0});
     VectorXd u(coefficients());
@@ -174,6 +194,7 @@ class Matching {
     for (int step = 1;; ++step) {
       auto design = linearised(base, u);
       if (!design) return {};
+      if (block) design->runs = without_block(*block);
       InstrumentalRegression regression(std::move(*design));
       if (remembers_ && !memory) {
         regression.fit(all);
@@ -219,17 +240,35 @@ class Matching {
     return best;
   }
 
-  AccelerationFit reported(const Solution& found) const {
+  // Of 95 % intervals, on the axes of the steps; NaN where the force does not depend on the parameter.
+  VectorXd half_widths(const Solution& found) const { return kNormal95 * found.last.covariance().diagonal().cwiseSqrt(); }
+
+  // The same where the memory of the noise is not known either: blocks of time are left out (Efron and Tibshirani 1993, section 11.5).
+  VectorXd jackknife(const Solution& found) const {
+    std::vector<VectorXd> without;
+    for (int block = 0; block < kBlocks; ++block)
+      if (auto one = solve(found.parameters, {}, kSteps, block); one && one->settled) without.push_back(one->u);
+    VectorXd mean = VectorXd::Zero(coefficients()), variance = mean;
+    for (const VectorXd& u : without) mean += u / kBlocks;
+    for (const VectorXd& u : without) variance += (u - mean).cwiseAbs2() * (kBlocks - 1) / kBlocks;
+    VectorXd width = student_t_above(0.025, kBlocks - 1) * variance.cwiseSqrt();
+    for (Index k = 0; k < width.size(); ++k) {
+      if (std::isnan(found.last.covariance()(k, k))) width[k] = kNaN;
+      if (without.size() < kBlocks) width[k] = INFINITY;
+    }
+    return width;
+  }
+
+  AccelerationFit reported(const Solution& found, const VectorXd& width) const {
     AccelerationFit out;
     out.rows = found.last.rows();
     if (const double rho = found.last.memory().rho; rho > 0) out.memory = -seen_.tracks().dt() / std::log(rho);
     for (Index k = 0; k < coefficients(); ++k) {
       const Coordinate& c = smooth_[static_cast<std::size_t>(k)];
-      const double variance = found.last.covariance()(k, k), se = std::sqrt(variance), u = found.u[k];
-      if (std::isnan(variance)) continue;  // the force does not depend on it
-      const bool inside = u > 0 && u < 1 && variance > 0;
-      out.parameters.push_back(
-          {c.row, c.value(u), inside ? c.value(u - kNormal95 * se) : kNaN, inside ? c.value(u + kNormal95 * se) : kNaN});
+      const double u = found.u[k];
+      if (std::isnan(width[k])) continue;
+      const bool inside = u > 0 && u < 1 && width[k] > 0 && std::isfinite(width[k]);
+      out.parameters.push_back({c.row, c.value(u), inside ? c.value(u - width[k]) : kNaN, inside ? c.value(u + width[k]) : kNaN});
     }
     for (const Coordinate& c : jumps_) out.parameters.push_back({c.row, found.parameters[c.row], kNaN, kNaN});
     std::sort(out.parameters.begin(), out.parameters.end(), [](const auto& a, const auto& b) { return a.row < b.row; });
