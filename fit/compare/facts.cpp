@@ -112,24 +112,29 @@ void warn_of_parts(const ModelFit& whole, const Comparison& r, std::vector<Warni
            whole.model, part.model);
 }
 
+// Parameters whose best value lies outside their interval of this kind.
+template <class Interval>
+std::vector<std::string> outside(const ModelFit& fit, Interval ParameterResult::*interval) {
+  std::vector<std::string> out;
+  for (const ParameterResult& p : fit.parameters)
+    if (p.value < (p.*interval).lower || p.value > (p.*interval).upper) out.push_back(p.name);
+  return out;
+}
+
 // The search sees histograms, the posterior means and correlations besides: where they disagree, no parameters are right for both.
 void warn_of_posterior(const ModelFit& fit, std::vector<Warning>& out) {
-  std::vector<std::string> apart;
-  for (const ParameterResult& p : fit.parameters)
-    if (p.value < p.posterior.lower || p.value > p.posterior.upper) apart.push_back(p.name);
+  const std::vector<std::string> apart = outside(fit, &ParameterResult::posterior);
+  const bool several = apart.size() > 1;
   if (!apart.empty())
     warn(out, Gravity::meaning,
          "{}: the best {} {} outside {} 95 % interval{}. No single value fits both distributions and correlations; the model may "
          "be wrong or the search incomplete. Do not report either.",
-         fit.model, fmt::join(apart, ", "), apart.size() > 1 ? "lie" : "lies", apart.size() > 1 ? "their" : "its",
-         apart.size() > 1 ? "s" : "");
+         fit.model, fmt::join(apart, ", "), several ? "lie" : "lies", several ? "their" : "its", several ? "s" : "");
 }
 
 // Two ways to the same parameters: one by what recordings look like, one by what accelerations depend on.
 void warn_of_regression(const ModelFit& fit, std::vector<Warning>& out) {
-  std::vector<std::string> apart;
-  for (const ParameterResult& p : fit.parameters)
-    if (p.value < p.regression.lower || p.value > p.regression.upper) apart.push_back(p.name);
+  const std::vector<std::string> apart = outside(fit, &ParameterResult::regression);
   if (!apart.empty())
     warn(out, Gravity::note,
          "{}: search and regression of accelerations disagree about {}: the best {} outside the 95 % interval of the regression.",

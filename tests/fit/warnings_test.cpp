@@ -57,5 +57,20 @@ TEST(AllWarnings, WeightsThatHardlyMoveAreANote) {
   EXPECT_EQ(all_warnings(c).back().gravity, Gravity::note);
 }
 
+TEST(AllWarnings, ASecondOpinionThatDisagreesIsANote) {
+  Comparison c = on_bounds();
+  c.models.resize(1);
+  ParameterResult& p = c.models[0].parameters[0];
+  p.at_bound = false;
+  p.value = 3;
+  EXPECT_THAT(all_warnings(c), SizeIs(0)) << "without an interval nothing disagrees";
+  p.regression = {2, 1, 2.9};
+  ASSERT_THAT(all_warnings(c), SizeIs(1));
+  EXPECT_THAT(all_warnings(c)[0].text, HasSubstr("disagree about noise: the best value lies outside"));
+  EXPECT_EQ(all_warnings(c)[0].gravity, Gravity::note);
+  p.regression.upper = 3.1;
+  EXPECT_THAT(all_warnings(c), SizeIs(0));
+}
+
 }  // namespace
 }  // namespace swarmfit
