@@ -25,7 +25,7 @@
 // Options (first value: default)
 //   update      synchronous: all at once | sequential: one after the other in random order, each seeing where the others are now |
 //               gillespie: each by itself after exponential waiting times of mean tau, a step of length speed tau at a time; it stays in
-//               place until its next. The phases depend on this: with weak attraction, groups move aligned only if not synchronous
+//               place until its next. The phases depend on this: with weak attraction, groups move aligned only if sequential
 //   neighbours  metric: those nearer than radius | topological: the `nearest` of those it sees, at any distance
 //   repulsion   off: paper of 2011 | on: paper of 2015
 #include <algorithm>
