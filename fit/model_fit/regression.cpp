@@ -6,8 +6,8 @@
 #include <numeric>
 #include <optional>
 
+#include "fit/model_fit/model_forces.h"
 #include "libswarm/instrumental_regression.h"
-#include "libswarm/simulate.h"
 #include "libtrack/distributions.h"
 #include "libtrack/nan.h"
 
@@ -16,7 +16,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kMoment = 1e-5;      // frames: a step so short that only the force is seen
 constexpr double kNudge = 1e-4;       // of a coordinate's range, for derivatives
 constexpr double kLongestStep = 0.5;  // of the range
 constexpr double kStill = 1e-4;       // of the range
@@ -24,71 +23,6 @@ constexpr int kSteps = 40;
 constexpr Index kRowsPerParameter = 4;
 constexpr int kBlocks = 10;             // of time, left out one by one
 constexpr int kGrid = 10, kRounds = 3;  // of a profile: values per radius, and how often it is made finer
-
-// The acceleration of everybody at the places and velocities that were recorded.
-class Forces {
- public:
-  Forces(const ModelChoice& model, const Conditions& conditions, const SymmetricDifferences& seen) : rows_(seen.rows().size()) {
-    const Tracks& recording = conditions.recording;
-    world_.dims = recording.dims();
-    world_.bounds = conditions.world.bounds;
-    plan_.frame_dt = kMoment * recording.dt();
-    plan_.first_frame = 1;  // in frame 0 a large group would be put in order
-    plan_.frames = 2;
-    model_ = make_model(model, {.dims = recording.dims(),
-                                .scales = conditions.scales,
-                                .reference = conditions.reference ? conditions.reference.get() : &recording,
-                                .step = plan_.frame_dt,
-                                .kinds = recording.kinds()});
-    std::vector<Index> equation(static_cast<std::size_t>(recording.rows()), -1);
-    for (std::size_t u = 0; u < rows_; ++u) equation[static_cast<std::size_t>(seen.rows()[u])] = static_cast<Index>(u);
-    for (const FrameRange& frame : recording.frames()) add(frame, seen, equation);
-  }
-
-  // Per axis; not finite where the model is not.
-  std::array<VectorXd, 3> at(const std::vector<double>& parameters) const {
-    std::array<VectorXd, 3> out;
-    for (auto& axis : out) axis = VectorXd::Zero(static_cast<Index>(rows_));
-    for (const Moment& moment : moments_) {
-      Lane lane{.p = parameters, .rng = {}, .state = moment.state, .world = world_, .out = nullptr, .count = {}};
-      cpu_backend().run(*model_, plan_, {&lane, 1});
-      for (std::size_t i = 0; i < moment.equation.size(); ++i) {
-        if (moment.equation[i] < 0) continue;
-        const auto row = static_cast<Index>(i);
-        for (Index axis = 0; axis < 3; ++axis)
-          out[static_cast<std::size_t>(axis)][moment.equation[i]] =
-              lane.blew_up ? kNaN : (lane.state.vel(row, axis) - moment.state.vel(row, axis)) / plan_.frame_dt;
-      }
-    }
-    return out;
-  }
-
- private:
-  struct Moment {
-    State state;
-    std::vector<Index> equation;  // of every agent; -1: it has none
-  };
-
-  void add(const FrameRange& frame, const SymmetricDifferences& seen, const std::vector<Index>& equation) {
-    Moment moment;
-    moment.equation.assign(equation.begin() + frame.first, equation.begin() + frame.first + frame.count);
-    if (std::all_of(moment.equation.begin(), moment.equation.end(), [](Index u) { return u < 0; })) return;
-    moment.state.append(frame.count);
-    for (Index i = 0; i < frame.count; ++i) {
-      const Index row = frame.first + i;
-      moment.state.pos.row(i) = seen.x(row).transpose();
-      moment.state.vel.row(i) = seen.v(row).transpose();
-      moment.state.kind[static_cast<std::size_t>(i)] = seen.tracks().kind(row);
-    }
-    moments_.push_back(std::move(moment));
-  }
-
-  std::size_t rows_;
-  std::unique_ptr<Model> model_;
-  World world_;
-  Plan plan_;
-  std::vector<Moment> moments_;
-};
 
 // A searched parameter on the axis on which steps are taken: the value itself, or its logarithm; the range is 1.
 struct Coordinate {
@@ -183,12 +117,26 @@ class Matching {
     return out;
   }
 
+  // A step of those that it does not lead out of their bounds, while the others stay on theirs.
+  VectorXd held_back(const VectorXd& u, InstrumentalRegression& regression, const std::optional<NoiseMemory>& memory) const {
+    std::vector<Index> free(smooth_.size());
+    std::iota(free.begin(), free.end(), Index{0});
+    if (memory || !remembers_) regression.use(memory.value_or(NoiseMemory{}));
+    for (;;) {
+      if (memory || !remembers_) {
+        regression.refit(free);
+      } else {
+        regression.fit(free);
+      }
+      const VectorXd& by = regression.coefficients();
+      if (std::erase_if(free, [&](Index k) { return (u[k] <= 0 && by[k] < 0) || (u[k] >= 1 && by[k] > 0); }) == 0) return by;
+    }
+  }
+
   // Gauss-Newton steps from there, on all frames or without a block of them. Noise that remembers does so as it is told or, without that,
   // as is found.
   std::optional<Solution> solve(const std::vector<double>& base, const std::optional<NoiseMemory>& memory, int steps,
                                 std::optional<int> block = {}) const {
-    std::vector<Index> all(smooth_.size());
-    std::iota(all.begin(), all.end(), Index{0});
     VectorXd u(coefficients());
     for (std::size_t k = 0; k < smooth_.size(); ++k) u[static_cast<Index>(k)] = std::clamp(smooth_[k].of(base[smooth_[k].row]), 0.0, 1.0);
     for (int step = 1;; ++step) {
@@ -196,13 +144,7 @@ class Matching {
       if (!design) return {};
       if (block) design->runs = without_block(*block);
       InstrumentalRegression regression(std::move(*design));
-      if (remembers_ && !memory) {
-        regression.fit(all);
-      } else {
-        regression.use(memory.value_or(NoiseMemory{}));
-        regression.refit(all);
-      }
-      VectorXd by = regression.coefficients();
+      VectorXd by = held_back(u, regression, memory);
       if (!by.allFinite()) return {};
       by *= std::min(1.0, kLongestStep / std::max(by.cwiseAbs().maxCoeff(), 1e-300));
       const VectorXd next = (u + by).cwiseMax(0).cwiseMin(1);
@@ -276,7 +218,7 @@ class Matching {
   }
 
   SymmetricDifferences seen_;
-  Forces force_;
+  ModelForces force_;
   std::vector<double> start_;
   bool remembers_;  // the noise
   std::vector<Coordinate> smooth_, jumps_;
