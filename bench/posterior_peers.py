@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""How near do posteriors come to the truth, for how many simulations? swarmfit --posterior beside pyABC and sbi (from PyPI, whichever are
-installed), on recordings of tests/independent, which no simulator here has made.
+"""How near do posteriors come to the truth, for how many simulations? swarmfit --posterior beside pyABC (from PyPI), on recordings of tests/independent, which no simulator here has made.
 
-    python3 posterior_peers.py PROGRAM [--truths langevin,rayleigh] [--seeds 1:2] [--simulations 1800,6000] [--out DIR]
+    python3 posterior_peers.py PROGRAM [--truths langevin,rayleigh] [--seeds 1:2] [--simulations 1800] [--out DIR]
 
-Peers simulate by `PROGRAM simulate` from the recording's first frame, under the prior that swarmfit uses, and see summary statistics that a
+The peer simulates by `PROGRAM simulate` from the recording's first frame, under the prior that swarmfit uses, and sees summary statistics that a
 careful user might choose: spreads of positions, velocities and accelerations, their tails, and correlations in time. The row exact is the
 likelihood, where the model has one. A table row: simulations, mean |ln(median / true)| over parameters and seeds, mean width of 95 %
 intervals in ln, and how many hold the truth."""
@@ -39,7 +38,7 @@ def paths(path):
 
 
 def features(tracks, dt):
-    """Of a recording or a simulation, the same for all peers."""
+    """Of a recording or a simulation, the same for both."""
     middle = np.mean([p.mean(0) for p in tracks], 0)
     x = [p[1:-1] - middle for p in tracks]
     v = [(p[2:] - p[:-2]) / (2 * dt) for p in tracks]
@@ -144,34 +143,13 @@ def pyabc(problem, simulations):
     return count[0], quantiles(np.array([problem.values(u) for u in cube]), weight)[: len(problem.names)]
 
 
-def sbi(problem, simulations):
-    try:
-        import torch
-        from sbi.inference import NPE
-        from sbi.utils import BoxUniform
-    except ImportError:
-        return None
-    torch.manual_seed(1)
-    torch.set_num_threads(1)
-    n = len(problem.rows)
-    prior = BoxUniform(torch.zeros(n), torch.ones(n))
-    cube = prior.sample((simulations,))
-    seen = np.array([problem.simulate(u.numpy().astype(float), k) for k, u in enumerate(cube)])
-    fine = np.isfinite(seen).all(1)
-    network = NPE(prior)
-    network.append_simulations(cube[torch.tensor(fine)], torch.tensor(seen[fine], dtype=torch.float32)).train()
-    sample = network.build_posterior().sample((4000,), x=torch.tensor(problem.observed, dtype=torch.float32), show_progress_bars=False)
-    values = np.array([problem.values(u) for u in sample.numpy().astype(float)])
-    return simulations, quantiles(values, np.ones(len(values)))[: len(problem.names)]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--truths", default="langevin,rayleigh")
     parser.add_argument("--seeds", default="1:2")
-    parser.add_argument("--simulations", default="1800,6000", help="of the peers")
-    parser.add_argument("--methods", default="exact,swarmfit,pyabc,sbi")
+    parser.add_argument("--simulations", default="1800", help="of the peer")
+    parser.add_argument("--methods", default="exact,swarmfit,pyabc")
     parser.add_argument("--out", default="posterior_peers")
     a = parser.parse_args()
     logging.disable(logging.INFO)
@@ -180,7 +158,7 @@ def main():
     for name in a.truths.split(","):
         problems = [Problem(a.program, name, seed, pathlib.Path(a.out)) for seed in range(first, last + 1)]
         for method in a.methods.split(","):
-            for budget in [int(s) for s in a.simulations.split(",")] if method in ("pyabc", "sbi") else [0]:
+            for budget in [int(s) for s in a.simulations.split(",")] if method == "pyabc" else [0]:
                 found = [(p, globals()[method](p, budget)) for p in problems]
                 if any(f is None for _, f in found):
                     continue

@@ -118,7 +118,7 @@ class Matching {
   }
 
   // A step of those that it does not lead out of their bounds, while the others stay on theirs.
-  VectorXd held_back(const VectorXd& u, InstrumentalRegression& regression, const std::optional<NoiseMemory>& memory) const {
+  VectorXd constrained_step(const VectorXd& u, InstrumentalRegression& regression, const std::optional<NoiseMemory>& memory) const {
     std::vector<Index> free(smooth_.size());
     std::iota(free.begin(), free.end(), Index{0});
     if (memory || !remembers_) regression.use(memory.value_or(NoiseMemory{}));
@@ -144,7 +144,7 @@ class Matching {
       if (!design) return {};
       if (block) design->runs = without_block(*block);
       InstrumentalRegression regression(std::move(*design));
-      VectorXd by = held_back(u, regression, memory);
+      VectorXd by = constrained_step(u, regression, memory);
       if (!by.allFinite()) return {};
       by *= std::min(1.0, kLongestStep / std::max(by.cwiseAbs().maxCoeff(), 1e-300));
       const VectorXd next = (u + by).cwiseMax(0).cwiseMin(1);

@@ -10,6 +10,7 @@
 #include "libtrack/nan.h"
 #include "reports/comparison/html_sections.h"
 #include "reports/comparison/methods.h"
+#include "reports/comparison/second_opinions.h"
 #include "reports/comparison/words.h"
 #include "reports/write/number.h"
 

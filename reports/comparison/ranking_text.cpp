@@ -10,6 +10,7 @@
 
 #include "libtrack/nan.h"
 #include "reports/comparison/quantities.h"
+#include "reports/comparison/second_opinions.h"
 #include "reports/comparison/words.h"
 #include "reports/draw/sparkline.h"
 #include "reports/write/number.h"

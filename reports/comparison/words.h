@@ -89,13 +89,6 @@ std::string what_held_out_means(const Comparison&);
 // "0.31 .. 0.42", between which the fits to halves put a parameter; kUndefined if there are none.
 std::string halves_text(const ParameterResult&);
 
-// "0.61 (0.55 .. 0.68)"; kUndefined if that is not known.
-std::string opinion_text(const SecondOpinion&);
-
-// "tau_v 0.61 (0.55 .. 0.68) s, ...": of a model that has a likelihood; else empty.
-std::string most_likely_values(const ModelFit&);
-std::string regressed_values(const ModelFit&);  // the same of a model whose accelerations were regressed
-
 // "gamma 0.0086 (halves 0.0071 .. 0.0092) 1/s, ...": the fitted parameters of a model.
 std::string fitted_values(const ModelFit&);
 

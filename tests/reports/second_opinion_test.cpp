@@ -7,8 +7,8 @@
 #include "reports/comparison/html.h"
 #include "reports/comparison/json.h"
 #include "reports/comparison/ranking_text.h"
+#include "reports/comparison/second_opinions.h"
 #include "reports/comparison/tables.h"
-#include "reports/comparison/words.h"
 #include "reports/write/number.h"
 #include "tests/reports/sample.h"
 
@@ -56,10 +56,13 @@ TEST(SecondOpinion, StandsInResults) {
 
 TEST(SecondOpinion, StandsInTheTableAndOnThePage) {
   const Comparison c = with_opinions();
+  int found = 0;
   for (const NamedTable& table : result_tables(c))
     if (table.name == "parameters.csv") {
+      ++found;
       EXPECT_THAT(table.csv, HasSubstr(",2.5,2.25,2.75,3.5,,,"));
     }
+  EXPECT_EQ(found, 1);
   const auto on_page = [](const Comparison& shown) { return report_html(shown).find("regression, 95") != std::string::npos; };
   EXPECT_TRUE(on_page(c));
   EXPECT_FALSE(on_page(sample_comparison()));
